@@ -32,6 +32,7 @@ mod fields;
 mod foundation;
 mod fracture_plane;
 mod frames;
+mod graded;
 mod grading;
 mod griffith;
 mod heat;

@@ -37,7 +37,9 @@ fn stiffness([e, nu]: [f64; 2]) -> [f64; 2] {
 /// A body with another material, `[E, ν]`, at some places.
 fn body(lattice: SquareLattice, nu: f64, other: [f64; 2], is_other: impl Fn([f64; 2]) -> bool) -> StateBased {
     let numbers: Vec<u32> = (0..lattice.points()).map(|p| u32::from(is_other(lattice.place(p)))).collect();
-    let materials = StateMaterials::new(&parameters(nu), &[other], &numbers);
+    let factor = |number: &u32| if *number == 1 { other[0] / parameters(nu).youngs_modulus } else { 1.0 };
+    let factors: Vec<f64> = numbers.iter().map(factor).collect();
+    let materials = StateMaterials::new(&parameters(nu), &[other[1]], &numbers, &factors);
     let real = Arc::new(lattice);
     let none = |_: &SquareLattice| Vec::new();
     let made =

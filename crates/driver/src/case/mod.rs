@@ -16,6 +16,7 @@ mod grading;
 mod initial_strain;
 mod line_load;
 mod mass_load;
+mod modulus;
 mod names;
 mod path;
 mod periodic;
@@ -54,6 +55,7 @@ pub use grading::Grading;
 pub use initial_strain::InitialStrain;
 pub use line_load::LineLoad;
 pub use mass_load::{Gravity, Spin};
+pub use modulus::{Modulus, Table};
 pub use names::Names;
 pub use path::{Path, PathControl, Turn};
 pub use periodic::Periodic;
@@ -199,7 +201,12 @@ impl Case {
             _ => None,
         };
         let surfaces = self.cracks.iter_mut().filter_map(|crack| crack.file.as_mut());
-        baselines.chain(body).chain(surfaces).collect()
+        let moduli = self.materials.values_mut().flat_map(|m| [&mut m.youngs_modulus, &mut m.shear_modulus]);
+        let tables = moduli.filter_map(|modulus| match modulus {
+            Some(Modulus::Table(table)) => Some(&mut table.file),
+            _ => None,
+        });
+        baselines.chain(body).chain(surfaces).chain(tables).collect()
     }
 
     /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.

@@ -1,6 +1,6 @@
 //! Materials of regions and of members of frames, as cases write them.
 
-use super::Names;
+use super::{Modulus, Names};
 use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,18 +9,20 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RegionMaterial {
-    /// Name of a region whose points are of it, or of a member of a frame, or a list of several.
-    pub at: Names,
-    /// Young's modulus E, > 0.
+    /// Name of a region whose points are of it, or of a member of a frame, or a list of several. Without `at` it is the material of
+    /// all points of a body that no other one claims.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub youngs_modulus: Option<f64>,
+    pub at: Option<Names>,
+    /// Young's modulus E, > 0. In a body it may vary: by a formula of x, y and z, or as a table.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub youngs_modulus: Option<Modulus>,
     /// Poisson's ratio ν of families, between −1 and 1/2.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub poisson_ratio: Option<f64>,
-    /// Shear modulus G of a body in antiplane shear, or of members, > 0; without it that of members follows from E and the
-    /// `poisson_ratio` of the model.
+    /// Shear modulus G of a body in antiplane shear, which may vary as E does, or of members, > 0; without it that of members follows
+    /// from E and the `poisson_ratio` of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shear_modulus: Option<f64>,
+    pub shear_modulus: Option<Modulus>,
     /// At which strains its bonds break, in bodies with `fracture`; default: as those of `model`, at the energy release rate or the
     /// stretch of `fracture.critical`.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -1,4 +1,4 @@
-//! Files that cases name: where they may lie, meshes, surfaces and lists of points.
+//! Files that cases name: where they may lie, meshes, surfaces, lists of points and tables.
 //!
 //! Readers take the bytes of a file and never panic on any; what they hold grows with what they have read, never with a
 //! number in the file. Faults say the line and what belongs there.
@@ -12,6 +12,7 @@ pub mod points;
 pub mod solid;
 pub mod stl;
 pub mod surface;
+pub mod table;
 
 pub use file::Refusal;
 pub use folder::{Folder, Reach};

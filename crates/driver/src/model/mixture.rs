@@ -8,25 +8,14 @@ use peristat_assembly::model::plane::Mirrors;
 pub struct OtherMaterial {
     /// Name.
     pub name: String,
-    /// Young's modulus.
-    pub youngs_modulus: Option<f64>,
+    /// The least and the greatest Young's modulus of its points.
+    pub youngs_modulus: Option<[f64; 2]>,
     /// Poisson's ratio.
     pub poisson_ratio: Option<f64>,
-    /// Shear modulus.
-    pub shear_modulus: Option<f64>,
+    /// The least and the greatest shear modulus of its points.
+    pub shear_modulus: Option<[f64; 2]>,
     /// Strain per kelvin.
     pub thermal_expansion: Option<f64>,
-}
-
-impl OtherMaterial {
-    /// What it gives, by keys.
-    pub fn keys(&self) -> [(&'static str, Option<f64>); 3] {
-        [
-            ("youngs_modulus", self.youngs_modulus),
-            ("poisson_ratio", self.poisson_ratio),
-            ("shear_modulus", self.shear_modulus),
-        ]
-    }
 }
 
 /// The materials of a body.
@@ -37,6 +26,8 @@ pub struct Mixture {
     /// Per point without images: 0 for the base material, else a place among the others, from 1 on. None where all are of the
     /// base material.
     pub numbers: Vec<u32>,
+    /// Per point as the numbers: the modulus over that of the base material, > 0.
+    pub factors: Vec<f64>,
 }
 
 impl Mixture {
@@ -51,13 +42,17 @@ impl Mixture {
         self.others.get(number as usize)
     }
 
-    /// A number of every point of a lattice with images of a real one, that of its material; none where all points are of the
-    /// base material.
+    /// The largest modulus over that of the base material.
+    pub fn stiffest(&self) -> f64 {
+        self.factors.iter().copied().fold(1.0, f64::max)
+    }
+
+    /// The modulus over that of the base material of every point of a lattice with images of a real one; none where all points are
+    /// of the base material.
     pub fn on_images(
         &self,
         lattice: &SquareLattice,
         (real, mirrors): (&SquareLattice, &Mirrors),
-        number: impl Fn(Option<&OtherMaterial>) -> f64,
     ) -> Vec<f64> {
         if self.is_one() {
             return Vec::new();
@@ -65,7 +60,7 @@ impl Mixture {
         let of = |point: usize| {
             let cell = lattice.cell(point);
             let cell = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
-            number(real.number(cell).and_then(|own| self.of(own)))
+            real.number(cell).map_or(1.0, |own| self.factors[own])
         };
         (0..lattice.points()).map(of).collect()
     }

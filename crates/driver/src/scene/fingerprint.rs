@@ -19,10 +19,13 @@ impl Scene {
         hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
         hasher.update(self.essence()?.to_string().as_bytes());
         // A file may change while its name stays.
-        if let Self::Body(scene) = self
-            && let Some(content) = scene.file()
-        {
-            hasher.update(content.as_bytes());
+        if let Self::Body(scene) = self {
+            if let Some(content) = scene.file() {
+                hasher.update(content.as_bytes());
+            }
+            for factor in &scene.materials().factors {
+                hasher.update(&factor.to_le_bytes());
+            }
         }
         Ok(hasher.finalize().to_hex().to_string())
     }

@@ -80,19 +80,35 @@ pub struct RegionSummary {
     pub points: usize,
     /// Young's modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub youngs_modulus: Option<f64>,
+    pub youngs_modulus: Option<ModulusSummary>,
     /// Poisson's ratio, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub poisson_ratio: Option<f64>,
     /// Shear modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub shear_modulus: Option<f64>,
+    pub shear_modulus: Option<ModulusSummary>,
     /// Critical stretch of its bonds, where they break.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_stretch: Option<f64>,
     /// That of the bonds between it and the base material.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interface_stretch: Option<f64>,
+}
+
+/// A modulus of the points of a material.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ModulusSummary {
+    /// Of all of them.
+    One(f64),
+    /// The least and the greatest one.
+    Between([f64; 2]),
+}
+
+impl From<[f64; 2]> for ModulusSummary {
+    fn from([least, greatest]: [f64; 2]) -> Self {
+        if least == greatest { Self::One(least) } else { Self::Between([least, greatest]) }
+    }
 }
 
 fn is_zero(number: &usize) -> bool {
@@ -170,9 +186,9 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
         name: other.name.clone(),
         number,
         points: mixture.numbers.iter().filter(|own| **own == number).count(),
-        youngs_modulus: other.youngs_modulus,
+        youngs_modulus: other.youngs_modulus.map(Into::into),
         poisson_ratio: other.poisson_ratio,
-        shear_modulus: other.shear_modulus,
+        shear_modulus: other.shear_modulus.map(Into::into),
         critical_stretch: stretch([number; 2]),
         interface_stretch: stretch([0, number]),
     };

@@ -60,11 +60,10 @@ impl Doubts {
                 if plane.path.as_ref().is_none_or(|path| path.kinematics == Kinematics::Linear) {
                     self.take_gradients(state, steepest(plane, result));
                 }
-                let base = plane.material().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
-                let others = plane.materials().others.iter().filter_map(|other| other.youngs_modulus);
-                let moduli = base.chain(others);
+                let moduli = plane.material().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
                 // Materials that are given by other moduli have strains to go by.
                 if let Some(most) = moduli.reduce(f64::max) {
+                    let most = most * plane.materials().stiffest();
                     self.take_extreme(Kind::Stress, most / STIFF, 1.0, state, &["von_mises"]);
                 }
             }

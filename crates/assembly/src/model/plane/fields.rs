@@ -163,6 +163,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             }
             By::Triangles(families) => add_strain_work_of(families, t, force),
         }
+        if let Some(interface) = &self.interface {
+            add_work_of_triangles(interface.beside_border(), t, force);
+        }
     }
 
     /// The part of the bonds between points.

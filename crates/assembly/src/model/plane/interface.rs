@@ -76,4 +76,9 @@ impl<const D: usize, const S: usize> Interface<D, S> {
     pub(super) fn told(&self) -> &[Family<D, S, 2>] {
         &self.families.list()[..self.told]
     }
+
+    /// Those that give back what bonds that end on the border leave.
+    pub(super) fn beside_border(&self) -> &[Family<D, S, 2>] {
+        &self.families.list()[self.told..]
+    }
 }

@@ -78,10 +78,7 @@ impl SolidBody {
         self.whole().add_work::<TENSOR>(t, &spans, &shares, force);
         if let Some(interface) = &self.interface {
             interface.uneven.add_work(self.whole(), (t, &shares), force);
-            for family in interface.told() {
-                let own: [f64; TENSOR] = from_fn(|q| t[q * n + family.point as usize]);
-                family.add_work(n, &family.stress(&own), force);
-            }
+            interface.add_work(t, force);
         }
     }
 

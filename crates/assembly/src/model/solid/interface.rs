@@ -7,6 +7,7 @@ use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, BondModel, Mat, add, block};
 use crate::stiffness::{Exception, Families, Family};
+use std::array::from_fn;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
@@ -91,6 +92,15 @@ impl Interface {
     /// The tetrahedra that tell stresses.
     pub(super) fn told(&self) -> &[Family<3, TENSOR, 3>] {
         &self.families.list()[..self.told]
+    }
+
+    /// Adds the work of all tetrahedra in the strains `t` of their points, six planes.
+    pub(super) fn add_work(&self, t: &[f64], force: &mut [f64]) {
+        let n = t.len() / TENSOR;
+        for family in self.families.list() {
+            let own: [f64; TENSOR] = from_fn(|q| t[q * n + family.point as usize]);
+            family.add_work(n, &family.stress(&own), force);
+        }
     }
 }
 

@@ -138,7 +138,7 @@ impl StateBody {
         }
         apart.sort_unstable();
         apart.dedup();
-        let mixture = materials.map(|of| Mixture::new(of, &real, (&lattice, &mirrors)));
+        let mixture = materials.map(|of| Mixture::new(of, &real, (&lattice, &mirrors), &fits));
         let families =
             FamilyWeights::new(parameters, (&lattice, &apart), &is_real, has_axis, mixture.as_ref())?;
         let mut cuts = cut(&lattice);
@@ -214,6 +214,7 @@ impl StateBody {
             steps: families.offsets.clone(),
             sets: families.sets.iter().map(|set| self.dilatation_rows(set)).collect(),
             set_of: families.set_of.iter().zip(&parts).map(set).collect(),
+            // Of a point that is stiffer by a factor its volume counts as often.
             volume: families.energy.iter().zip(&parts).map(|(v, part)| part * v * volume).collect(),
             own: if material.is_axisymmetric() { self.hoop_rows() } else { Vec::new() },
             modulus: material.family_modulus(),

@@ -84,12 +84,10 @@ impl StateBody {
 
     /// λ, μ and the bulk modulus of a point, Pa.
     pub(super) fn moduli(&self, parameters: &StateParameters) -> impl Fn(usize) -> [f64; 3] {
-        let of = |own: &StateParameters| [own.lame(), own.shear_modulus(), own.bulk_modulus()];
-        let all: Vec<[f64; 3]> = match &self.mixture {
-            Some(mixture) => mixture.materials.of.iter().map(of).collect(),
-            None => vec![of(parameters)],
-        };
-        move |point| all[self.mixture.as_ref().map_or(0, |mixture| mixture.number(point))]
+        move |point| {
+            let own = self.mixture.as_ref().map_or(*parameters, |mixture| mixture.of(point));
+            [own.lame(), own.shear_modulus(), own.bulk_modulus()]
+        }
     }
 
     /// Stresses and energy densities; ghosts have those of their fits.

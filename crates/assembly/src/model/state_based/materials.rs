@@ -8,36 +8,44 @@
 
 use super::super::plane::{Mirrors, Path};
 use super::StateParameters;
-use super::ghosts::nearest;
+use super::ghosts::{Fit, nearest};
 use crate::body::{Cell, SquareLattice, plus};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The materials of a body without ghosts and images.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateMaterials {
-    /// The base material, then others.
+    /// The base material, then others with its Young's modulus.
     pub(super) of: Vec<StateParameters>,
-    /// By material, the parts that the points have of it; they sum to one.
+    /// By material, Young's moduli of the points that are of it over that of the base material; zero where they are of others.
+    /// On coarser lattices means of those.
     parts: Vec<Vec<f64>>,
 }
 
 impl StateMaterials {
-    /// A base material and others, by Young's modulus and Poisson's ratio; `numbers` are those of the points, 0 for the base
-    /// material, else places among the others, from 1 on. None where all points are of the base material.
-    pub fn new(base: &StateParameters, others: &[[f64; 2]], numbers: &[u32]) -> Option<Arc<Self>> {
-        let other = |&[youngs_modulus, poisson_ratio]: &[f64; 2]| StateParameters {
-            youngs_modulus,
-            poisson_ratio,
-            ..*base
+    /// A base material and others by their Poisson's ratios. `numbers` are those of the points, 0 for the base material, else
+    /// places among the others, from 1 on; `factors` their Young's moduli over that of the base material, > 0. None where all
+    /// points are of the base material.
+    pub fn new(
+        base: &StateParameters,
+        poisson_ratios: &[f64],
+        numbers: &[u32],
+        factors: &[f64],
+    ) -> Option<Arc<Self>> {
+        let other = |&poisson_ratio: &f64| StateParameters { poisson_ratio, ..*base };
+        let of: Vec<StateParameters> =
+            std::iter::once(*base).chain(poisson_ratios.iter().map(other)).collect();
+        let points = || numbers.iter().zip(factors);
+        let is_other = |(number, factor): (&u32, &f64)| of[*number as usize] != *base || *factor != 1.0;
+        let part = |k: usize| {
+            let own = |(number, factor): (&u32, &f64)| if *number as usize == k { *factor } else { 0.0 };
+            points().map(own).collect()
         };
-        let of: Vec<StateParameters> = std::iter::once(*base).chain(others.iter().map(other)).collect();
-        let is_other = |number: &u32| of[*number as usize] != *base;
-        let part =
-            |k: usize| numbers.iter().map(|number| f64::from(u8::from(*number as usize == k))).collect();
-        numbers.iter().any(is_other).then(|| Arc::new(Self { parts: (0..of.len()).map(part).collect(), of }))
+        points().any(is_other).then(|| Arc::new(Self { parts: (0..of.len()).map(part).collect(), of }))
     }
 
-    /// The material that a point has most of.
+    /// The material that makes up most of the stiffness of a point.
     pub(super) fn number(&self, point: usize) -> usize {
         let part = |k: &usize| self.parts[*k][point];
         (0..self.of.len()).max_by(|a, b| part(a).total_cmp(&part(b)).then(b.cmp(a))).unwrap_or_default()
@@ -57,6 +65,20 @@ impl StateMaterials {
         };
         Arc::new(Self { of: self.of.clone(), parts: self.parts.iter().map(mean).collect() })
     }
+
+    /// What the modulus of a ghost is over that of the nearest point, where this is of a graded material: its logarithm goes on as
+    /// displacements do, so that it is positive. One where all points of the fit are alike or not all of one material.
+    fn beyond(&self, real: &SquareLattice, nearest: usize, fit: &Fit) -> f64 {
+        let number = self.number(nearest);
+        let parts = &self.parts[number];
+        let points = || fit.iter().filter_map(|&(cell, share)| Some((real.number(cell)?, share)));
+        if points().all(|(p, _)| parts[p] == parts[nearest])
+            || points().any(|(p, _)| self.number(p) != number)
+        {
+            return 1.0;
+        }
+        points().map(|(p, share)| share * (parts[p] / parts[nearest]).ln()).sum::<f64>().exp()
+    }
 }
 
 /// The materials of a lattice with ghosts and images.
@@ -65,6 +87,8 @@ pub(super) struct Mixture {
     pub(super) materials: Arc<StateMaterials>,
     /// The point of the body whose material a point has: of an image its own, of a ghost the nearest.
     source: Vec<u32>,
+    /// What the moduli of ghosts are over those of these points; one elsewhere.
+    beyond: Vec<f64>,
     /// Young's moduli of the points, Pa.
     moduli: Vec<f64>,
 }
@@ -74,24 +98,27 @@ impl Mixture {
         materials: &Arc<StateMaterials>,
         real: &SquareLattice,
         (lattice, mirrors): (&SquareLattice, &Mirrors),
+        fits: &BTreeMap<Cell, Fit>,
     ) -> Self {
         let source = |point: usize| {
             let cell = mirrors.image(lattice.cell(point)).0;
             let own = real.number(cell).or_else(|| real.number(nearest(real, cell)?));
             own.unwrap_or_default() as u32
         };
-        let mut mixture = Self {
-            materials: materials.clone(),
-            source: (0..lattice.points()).map(source).collect(),
-            moduli: Vec::new(),
+        let source: Vec<u32> = (0..lattice.points()).map(source).collect();
+        let beyond = |point: usize| {
+            let fit = fits.get(&mirrors.image(lattice.cell(point)).0);
+            fit.map_or(1.0, |fit| materials.beyond(real, source[point] as usize, fit))
         };
+        let beyond = (0..lattice.points()).map(beyond).collect();
+        let mut mixture = Self { materials: materials.clone(), source, beyond, moduli: Vec::new() };
         mixture.moduli = (0..lattice.points()).map(|p| mixture.mean(p, |of| of.youngs_modulus)).collect();
         mixture
     }
 
-    /// The part that a point has of a material.
+    /// Young's modulus that a point has of a material over that of the base material.
     pub(super) fn part(&self, material: usize, point: usize) -> f64 {
-        self.materials.parts[material][self.source[point] as usize]
+        self.beyond[point] * self.materials.parts[material][self.source[point] as usize]
     }
 
     /// The material of a point.
@@ -99,7 +126,13 @@ impl Mixture {
         self.materials.number(self.source[point] as usize)
     }
 
-    /// The mean of a modulus over what a point has of the materials.
+    /// The material of a point with its Young's modulus.
+    pub(super) fn of(&self, point: usize) -> StateParameters {
+        let own = self.materials.of[self.number(point)];
+        StateParameters { youngs_modulus: self.moduli[point], ..own }
+    }
+
+    /// A modulus of a point, as the sum of what it has of the materials.
     pub(super) fn mean(&self, point: usize, of: impl Fn(&StateParameters) -> f64) -> f64 {
         let parts = self.materials.of.iter().enumerate();
         parts

@@ -65,15 +65,12 @@ impl StateBased {
         Ok(Self { parameters, body })
     }
 
-    /// The material that a point has most of.
-    pub(super) fn material(&self, point: usize) -> &StateParameters {
-        match &self.body.mixture {
-            Some(mixture) => &mixture.materials.of[mixture.number(point)],
-            None => &self.parameters,
-        }
+    /// The material of a point.
+    pub(super) fn material(&self, point: usize) -> StateParameters {
+        self.body.mixture.as_ref().map_or(self.parameters, |mixture| mixture.of(point))
     }
 
-    /// All materials.
+    /// All materials, with the Young's modulus of the base one.
     pub(super) fn materials(&self) -> &[StateParameters] {
         match &self.body.mixture {
             Some(mixture) => &mixture.materials.of,

@@ -102,16 +102,18 @@ impl FamilyWeights {
             StateEdges::Moment if !negative.is_empty() => {
                 return Err(StateError::NegativeWeights(negative.len()));
             }
-            StateEdges::MomentPlus | StateEdges::Ghosts => families.give_away(lattice, &negative),
+            StateEdges::MomentPlus | StateEdges::Ghosts => {
+                let number = |p: usize| mixture.map_or(0, |mixture| mixture.number(p));
+                families.give_away(lattice, &negative, &number);
+            }
             _ => {}
         }
         Ok(families)
     }
 
-    /// The energies of some points go to the nearest ones that are not among them.
-    fn give_away(&mut self, lattice: &SquareLattice, from: &[usize]) {
+    /// The energies of some points go to the nearest ones of their material, by its number, that are not among them.
+    fn give_away(&mut self, lattice: &SquareLattice, from: &[usize], number: &dyn Fn(usize) -> usize) {
         let keeps = |p: usize| self.set_of[p].is_some() && from.binary_search(&p).is_err();
-        let shear = |p: usize| self.shear.get(p).copied().unwrap_or(1.0);
         let mut moved = Vec::new();
         for &point in from {
             let cell = lattice.cell(point);
@@ -121,7 +123,7 @@ impl FamilyWeights {
                 let near = ring.filter(|[i, j, _]| i * i + j * j <= reach * reach);
                 let points =
                     near.filter_map(|s| Some((s[0] * s[0] + s[1] * s[1], lattice.number(plus(cell, s))?)));
-                points.filter(|(_, p)| keeps(*p) && shear(*p) == shear(point)).min()
+                points.filter(|(_, p)| keeps(*p) && number(*p) == number(point)).min()
             });
             moved.extend(found.map(|(_, to)| (point, to)));
         }

@@ -2,7 +2,7 @@
 
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    OtherMaterial, Refusal, Resolved, Surface,
+    Refusal, Resolved, Surface,
 };
 use super::{Antiplane, NAME, ShearBonds, words};
 use crate::diagnostic::{Faults, JsonPath};
@@ -70,11 +70,7 @@ impl Material for ShearBonds {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let base = self.parameters.shear_modulus;
-        let factor = |other: Option<&OtherMaterial>| {
-            other.and_then(|other| other.shear_modulus).map_or(1.0, |modulus| modulus / base)
-        };
-        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors), factor);
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors));
         let body = BondAntiplane::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?;
         Ok(AnyBody::One(Box::new(body)))
     }

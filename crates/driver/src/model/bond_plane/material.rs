@@ -3,7 +3,7 @@
 use super::super::material::isotropic_strain;
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    OtherMaterial, Refusal, Resolved, SofteningBonds, Surface,
+    Refusal, Resolved, SofteningBonds, Surface,
 };
 use super::{Central, Plane, critical, soften, words};
 use crate::diagnostic::{Faults, JsonPath};
@@ -78,11 +78,7 @@ impl Material for Central {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let base = self.parameters.material.youngs_modulus;
-        let factor = |other: Option<&OtherMaterial>| {
-            other.and_then(|other| other.youngs_modulus).map_or(1.0, |modulus| modulus / base)
-        };
-        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors), factor);
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors));
         let body = BondPlane::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?;
         Ok(AnyBody::Two(Box::new(body)))
     }

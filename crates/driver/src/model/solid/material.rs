@@ -2,7 +2,7 @@
 
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    OtherMaterial, Refusal, Resolved, Surface,
+    Refusal, Resolved, Surface,
 };
 use super::critical;
 use crate::diagnostic::{Faults, JsonPath, root};
@@ -181,11 +181,7 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let base = self.parameters.youngs_modulus();
-        let factor = |other: Option<&OtherMaterial>| {
-            other.and_then(|other| other.youngs_modulus).map_or(1.0, |modulus| modulus / base)
-        };
-        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors), factor);
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors));
         Ok(AnyBody::Three(Box::new(Solid::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?)))
     }
 

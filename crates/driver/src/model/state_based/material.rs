@@ -109,14 +109,9 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         let offsets = self.offsets()?;
         let cut = |lattice: &SquareLattice| (on.cuts)(lattice, &offsets);
         let of = &self.parameters;
-        let constants = |other: &OtherMaterial| {
-            [
-                other.youngs_modulus.unwrap_or(of.youngs_modulus),
-                other.poisson_ratio.unwrap_or(of.poisson_ratio),
-            ]
-        };
-        let others: Vec<[f64; 2]> = on.materials.others.iter().map(constants).collect();
-        let materials = StateMaterials::new(of, &others, &on.materials.numbers);
+        let ratio = |other: &OtherMaterial| other.poisson_ratio.unwrap_or(of.poisson_ratio);
+        let ratios: Vec<f64> = on.materials.others.iter().map(ratio).collect();
+        let materials = StateMaterials::new(of, &ratios, &on.materials.numbers, &on.materials.factors);
         let body = StateBased::mixed(real, on.mirrors, *of, on.separated, &cut, materials.as_ref())?;
         Ok(AnyBody::Two(Box::new(body)))
     }

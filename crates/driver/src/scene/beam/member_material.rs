@@ -1,6 +1,6 @@
 //! Materials of members of a frame.
 
-use crate::case::{Case, Expansion, Frame, RegionMaterial};
+use crate::case::{Case, Expansion, Frame, Modulus, Names, RegionMaterial};
 use crate::diagnostic::{Faults, JsonPath, positive, root, suggest};
 use crate::model::Beam;
 use crate::scene::expansion;
@@ -8,7 +8,12 @@ use std::collections::HashMap;
 
 /// The material of a member, if it is not that of the model.
 fn of<'a>(case: &'a Case, member: &str) -> Option<&'a RegionMaterial> {
-    case.materials.values().find(|material| material.at.each().iter().any(|name| name == member))
+    case.materials.values().find(|material| members(material).iter().any(|name| name == member))
+}
+
+/// The members that a material names.
+fn members(material: &RegionMaterial) -> &[String] {
+    material.at.as_ref().map_or(&[], Names::each)
 }
 
 /// Adds faults of materials that are none, and of members that cannot have one.
@@ -16,9 +21,22 @@ pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults
     let mut owners: HashMap<&str, &str> = HashMap::new();
     for (name, material) in &case.materials {
         let path = root("materials").key(name);
-        let moduli = [("youngs_modulus", material.youngs_modulus), ("shear_modulus", material.shear_modulus)];
-        for (key, value) in moduli.iter().filter_map(|(key, value)| Some((key, (*value)?))) {
-            positive(value, key, path.key(*key), faults);
+        let moduli =
+            [("youngs_modulus", &material.youngs_modulus), ("shear_modulus", &material.shear_modulus)];
+        for (key, value) in moduli.iter().filter_map(|(key, value)| Some((key, value.as_ref()?))) {
+            match value.number() {
+                Some(value) => drop(positive(value, key, path.key(*key), faults)),
+                None => drop(
+                    faults
+                        .error(path.key(*key), format!("`{key}` of members is a number"))
+                        .hint("what varies along a member is its `stiffness`, or its `section`"),
+                ),
+            }
+        }
+        if material.at.is_none() {
+            faults
+                .error(path.clone(), "`at` is missing")
+                .hint("name the members of this material; all others are of that of `model`");
         }
         let has_moduli = moduli.iter().any(|(_, value)| value.is_some());
         if !has_moduli && material.thermal_expansion.is_none() {
@@ -26,7 +44,7 @@ pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults
                 .error(path.clone(), format!("the material `{name}` is that of `model`"))
                 .hint("give `youngs_modulus`, `shear_modulus` or `thermal_expansion`");
         }
-        for member in material.at.each() {
+        for member in members(material) {
             let Some(given) = frame.members.iter().find(|given| given.name == *member) else {
                 faults
                     .error(path.key("at"), format!("there is no member `{member}`"))
@@ -52,9 +70,10 @@ pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults
 /// Gives a beam the moduli of a member.
 pub(super) fn apply(case: &Case, member: &str, beam: &mut Beam) {
     let Some(material) = of(case, member) else { return };
-    beam.youngs_modulus = material.youngs_modulus.or(beam.youngs_modulus);
+    let number = |modulus: &Option<Modulus>| modulus.as_ref().and_then(Modulus::number);
+    beam.youngs_modulus = number(&material.youngs_modulus).or(beam.youngs_modulus);
     if material.shear_modulus.is_some() {
-        (beam.shear_modulus, beam.poisson_ratio) = (material.shear_modulus, None);
+        (beam.shear_modulus, beam.poisson_ratio) = (number(&material.shear_modulus), None);
     }
 }
 

@@ -81,12 +81,11 @@ impl HoleRing {
             inside = inside.min(level(p));
         }
         // Its fields are of one material.
-        if let (numbers @ [_, ..], Some(beside)) =
-            (&scene.materials().numbers[..], scene.nearest(ellipse.centre))
-        {
-            let all = || scene.real_points().zip(numbers);
-            let own = all().find(|(p, _)| *p == beside).map(|(_, number)| *number);
-            for (p, _) in all().filter(|(_, number)| Some(**number) != own) {
+        let materials = scene.materials();
+        if let Some(beside) = scene.nearest(ellipse.centre).filter(|_| !materials.is_one()) {
+            let all = || scene.real_points().zip(materials.numbers.iter().zip(&materials.factors));
+            let own = all().find(|(p, _)| *p == beside).map(|(_, own)| own);
+            for (p, _) in all().filter(|(_, other)| Some(*other) != own) {
                 inside = inside.min(level(p) - scene.horizon() / radius);
             }
         }

@@ -102,7 +102,7 @@ impl BodyScene {
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }
-        inputs.materials = materials::mixture(&ground, &inputs, max_memory, faults);
+        inputs.materials = materials::mixture(&ground, &inputs, (folder, max_memory), faults);
         materials::warn(&inputs, faults);
         let held = supports::held(&ground, &inputs.symmetry, &*inputs.material, faults);
         let rigid = rigid_keys::rigid(&ground, &inputs.symmetry, faults);

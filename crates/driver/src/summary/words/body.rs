@@ -3,7 +3,7 @@
 use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
 use crate::run::body::{BodyReaction, MirrorReaction};
-use crate::summary::{BodyForces, BodySummary};
+use crate::summary::{BodyForces, BodySummary, ModulusSummary};
 use peristat_assembly::model::plane::Edges;
 
 /// Model, material, horizon and edges.
@@ -13,7 +13,12 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
     for other in &m.materials {
         let s = if other.points == 1 { "" } else { "s" };
         let own = [("E", other.youngs_modulus), ("G", other.shear_modulus)].into_iter();
-        let stress = |value: f64| units.quantity(&number(value), units.stress());
+        let stress = |value: ModulusSummary| match value {
+            ModulusSummary::One(value) => units.quantity(&number(value), units.stress()),
+            ModulusSummary::Between([least, greatest]) => {
+                units.quantity(&format!("{} to {}", number(least), number(greatest)), units.stress())
+            }
+        };
         let mut own: String =
             own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
         own.extend(other.poisson_ratio.map(|nu| format!(", ν = {}", number(nu))));

@@ -13,7 +13,7 @@ fn random(mut state: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// A body whose points have one of some materials.
+/// A body whose points have one of some materials, `[E, ν]` over a base of E = 1.
 fn mixed(
     lattice: SquareLattice,
     parameters: StateParameters,
@@ -21,7 +21,10 @@ fn mixed(
     number: impl Fn([f64; 2]) -> u32,
 ) -> StateBased {
     let numbers: Vec<u32> = (0..lattice.points()).map(|p| number(lattice.place(p))).collect();
-    let materials = StateMaterials::new(&parameters, others, &numbers);
+    let ratios: Vec<f64> = others.iter().map(|other| other[1]).collect();
+    let factor = |number: &u32| number.checked_sub(1).map_or(1.0, |k| others[k as usize][0]);
+    let factors: Vec<f64> = numbers.iter().map(factor).collect();
+    let materials = StateMaterials::new(&parameters, &ratios, &numbers, &factors);
     let (real, none) = (Arc::new(lattice), |_: &SquareLattice| Vec::new());
     StateBased::mixed(real, Mirrors::NONE, parameters, &|_, _| false, &none, materials.as_ref()).unwrap()
 }
@@ -126,7 +129,7 @@ fn materials_that_are_alike_are_none() {
 fn families_of_several_materials_have_ghosts() {
     let parameters = StateParameters { edges: StateEdges::MomentPlus, ..PLATE };
     let lattice = Arc::new(cells(1.0, 0.0, [6, 6]));
-    let materials = StateMaterials::new(&parameters, &[[2.0, 0.3]], &[1; 36]);
+    let materials = StateMaterials::new(&parameters, &[0.3], &[1; 36], &[2.0; 36]);
     let none = |_: &SquareLattice| Vec::new();
     let made =
         StateBased::mixed(lattice, Mirrors::NONE, parameters, &|_, _| false, &none, materials.as_ref());

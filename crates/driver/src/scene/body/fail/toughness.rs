@@ -60,7 +60,10 @@ impl Base<'_> {
 
     fn breaking(&self, of: &RegionMaterial, path: &JsonPath, faults: &mut Faults) -> Option<Breaking> {
         let base = self.material.youngs_moduli().first()?.1;
-        let modulus = of.youngs_modulus.map_or(1.0, |own| own / base);
+        let modulus = match &of.youngs_modulus {
+            Some(own) => own.number().or_else(|| refuse_graded(path, faults))? / base,
+            None => 1.0,
+        };
         let own = of.critical.as_ref().map(|own| self.toughness(own, &path.key("critical"), faults));
         let interface = of.interface.as_ref().map(|own| self.toughness(own, &path.key("interface"), faults));
         let alike =
@@ -78,6 +81,14 @@ impl Base<'_> {
         let energy = |of: &Breaking| of.stretch * of.stretch * of.modulus;
         Some(weaker.unwrap_or_else(|| (energy(a).min(energy(b)) / factor).sqrt()))
     }
+}
+
+/// Adds a fault for a modulus that varies within a material: its bonds would break at stretches of their own.
+fn refuse_graded(path: &JsonPath, faults: &mut Faults) -> Option<f64> {
+    faults
+        .error(path.key("youngs_modulus"), "bodies with a modulus that varies within a material do not break")
+        .hint("give numbers to several regions");
+    None
 }
 
 /// The stretches of a body whose base material has some: with those of the others and between them.

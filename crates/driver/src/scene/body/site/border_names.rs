@@ -30,7 +30,7 @@ pub(crate) fn lists<'c>(case: &'c Case) -> Vec<List<'c>> {
         take(probe.at.region.as_ref(), at(root("probes").index(k)), true);
     }
     for (name, material) in &case.materials {
-        take(Some(&material.at), root("materials").key(name).key("at"), true);
+        take(material.at.as_ref(), root("materials").key(name).key("at"), true);
     }
     let of_cases = case.load_cases.iter().enumerate();
     let of_cases = of_cases.map(|(k, c)| (root("load_cases").index(k).key("loads"), &c.loads));

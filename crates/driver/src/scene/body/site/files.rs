@@ -4,7 +4,7 @@ use crate::diagnostic::{Faults, JsonPath};
 use crate::input::drawing::{self, Drawing};
 use crate::input::gmsh::{self, Curve};
 use crate::input::surface::SolidFile;
-use crate::input::{Folder, ReadError, Refusal, points, solid, stl};
+use crate::input::{Folder, ReadError, Refusal, points, solid, stl, table};
 use peristat_assembly::body::{Facet, PointBody};
 
 /// The body of a list of points, of this thickness, and the hash of the file.
@@ -74,6 +74,19 @@ pub(crate) fn surface(
     let bytes = bytes(folder, file, "surface", max_memory, path, faults)?;
     let triangles = stl::read(&bytes).map_err(|error| refuse(file, "surface", &error, path, faults)).ok()?;
     Some(triangles.facets)
+}
+
+/// The table of a quantity that varies in a body with these many coordinates.
+pub(crate) fn table(
+    folder: &Folder,
+    file: &str,
+    coordinates: usize,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<table::Table> {
+    let bytes = bytes(folder, file, "table", max_memory, path, faults)?;
+    table::read(&bytes, coordinates).map_err(|error| refuse(file, "table", &error, path, faults)).ok()
 }
 
 fn bytes(

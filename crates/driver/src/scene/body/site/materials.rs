@@ -2,14 +2,13 @@
 
 use super::ground::Ground;
 use super::model_inputs::ModelInputs;
-use crate::case::RegionMaterial;
-use crate::diagnostic::{Faults, JsonPath, positive, root, tidy};
+use super::modulus;
+use crate::case::{Modulus, RegionMaterial};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::input::Folder;
 use crate::memory;
 use crate::model::{Mixture, OtherMaterial, admissible};
 use peristat_assembly::body::{SquareLattice, plus};
-
-/// How many times stiffer or softer than the base a material may be: beyond it forces of the one are rounding beside the other.
-const MOST_RATIO: f64 = 1e9;
 
 /// Memory of a bond with a factor of its own, bytes, while it is made and on coarser lattices.
 const OWN: f64 = 65.0;
@@ -18,7 +17,7 @@ const OWN: f64 = 65.0;
 pub(crate) fn mixture(
     ground: &Ground,
     inputs: &ModelInputs,
-    max_memory: Option<u64>,
+    (folder, max_memory): (&Folder, Option<u64>),
     faults: &mut Faults,
 ) -> Mixture {
     let case = ground.case;
@@ -39,27 +38,33 @@ pub(crate) fn mixture(
         return Mixture::default();
     }
     refuse_beside(ground, inputs, faults);
-    let mut mixture = Mixture { others: Vec::new(), numbers: vec![0; inputs.body.points()] };
-    for (name, given) in &case.materials {
+    let numbers = numbers(ground, inputs.body.points(), faults);
+    let mut mixture = Mixture { others: Vec::new(), factors: vec![1.0; numbers.len()], numbers };
+    for ((name, given), number) in case.materials.iter().zip(1..) {
         let path = root("materials").key(name);
-        let at = ground.region(&given.at, &path.key("at"), faults).unwrap_or_default();
-        let RegionMaterial { youngs_modulus, poisson_ratio, shear_modulus, thermal_expansion, .. } = *given;
-        let name = name.clone();
-        let other = OtherMaterial { name, youngs_modulus, poisson_ratio, shear_modulus, thermal_expansion };
-        check(&other, &takes, &path, faults);
+        let own = |p: &u32| mixture.numbers[*p as usize] == number;
+        let points: Vec<u32> = (0..mixture.numbers.len() as u32).filter(own).collect();
+        check(given, &takes, &path, faults);
         if case.fracture.is_none() {
             refuse_unbroken(given, &path, faults);
         }
-        mixture.others.push(other);
-        let number = mixture.others.len() as u32;
-        let taken = at.iter().find_map(|&p| mixture.of(p as usize)).map(|other| other.name.clone());
-        if let Some(other) = taken {
-            faults
-                .error(path.key("at"), format!("some of its points are of `{other}` already"))
-                .hint("a point has one material: let regions not overlap");
-            break;
+        let mut other = OtherMaterial {
+            name: name.clone(),
+            youngs_modulus: None,
+            poisson_ratio: given.poisson_ratio,
+            shear_modulus: None,
+            thermal_expansion: given.thermal_expansion,
+        };
+        if let Some((key, base)) = takes.first().copied()
+            && let (of, Some(modulus)) = modulus_of(key, given, &mut other)
+        {
+            let (at, of_case) = ((&inputs.body, &points[..]), (folder, max_memory));
+            let all = modulus::values(modulus, at, (key, base), &path.key(key), of_case, faults);
+            let all = all.unwrap_or_default();
+            *of = extremes(&all);
+            points.iter().zip(all).for_each(|(p, value)| mixture.factors[*p as usize] = value / base);
         }
-        at.into_iter().for_each(|p| mixture.numbers[p as usize] = number);
+        mixture.others.push(other);
     }
     // Every bond of another material has a factor of its own.
     let offsets = inputs.material.offsets().map_or(0, |offsets| offsets.len());
@@ -67,6 +72,68 @@ pub(crate) fn mixture(
     let what = ("bonds of other materials", "use a larger spacing or smaller regions");
     memory::fits(OWN * (offsets * others) as f64, what, max_memory, root("materials"), faults);
     mixture
+}
+
+/// The modulus of a key that a material gives, and where its extremes belong.
+fn modulus_of<'a>(
+    key: &str,
+    given: &'a RegionMaterial,
+    other: &'a mut OtherMaterial,
+) -> (&'a mut Option<[f64; 2]>, Option<&'a Modulus>) {
+    match key {
+        "shear_modulus" => (&mut other.shear_modulus, given.shear_modulus.as_ref()),
+        _ => (&mut other.youngs_modulus, given.youngs_modulus.as_ref()),
+    }
+}
+
+/// The least and the greatest of some values, where there are any.
+fn extremes(values: &[f64]) -> Option<[f64; 2]> {
+    let best = |of: fn(f64, f64) -> f64| values.iter().copied().reduce(of);
+    Some([best(f64::min)?, best(f64::max)?])
+}
+
+/// Per point the number of its material; faults of points that have two.
+fn numbers(ground: &Ground, points: usize, faults: &mut Faults) -> Vec<u32> {
+    let materials = &ground.case.materials;
+    let name = |number: u32| materials.keys().nth(number as usize - 1).map_or("", String::as_str);
+    let mut numbers = vec![0; points];
+    let mut rest: Option<u32> = None;
+    for ((own, given), number) in materials.iter().zip(1..) {
+        let path = root("materials").key(own);
+        let Some(at) = &given.at else {
+            if let Some(other) = rest.replace(number) {
+                faults
+                    .error(
+                        path,
+                        format!(
+                            "`{own}` and `{}` are both of all that no other material claims",
+                            name(other)
+                        ),
+                    )
+                    .hint("say `at` which region one of them is");
+            }
+            continue;
+        };
+        let points = ground.region(at, &path.key("at"), faults).unwrap_or_default();
+        if let Some(p) = points.iter().find(|p| numbers[**p as usize] > 0) {
+            let other = name(numbers[*p as usize]);
+            faults
+                .error(path.key("at"), format!("some of its points are of `{other}` already"))
+                .hint("a point has one material: let regions not overlap");
+            break;
+        }
+        points.into_iter().for_each(|p| numbers[p as usize] = number);
+    }
+    if let Some(rest) = rest {
+        if numbers.iter().all(|number| *number > 0) {
+            let message = format!("other materials claim all points, and leave none to `{}`", name(rest));
+            faults
+                .error(root("materials").key(name(rest)), message)
+                .hint("leave it out, or say `at` where it is");
+        }
+        numbers.iter_mut().filter(|number| **number == 0).for_each(|number| *number = rest);
+    }
+    numbers
 }
 
 /// Adds a fault for every key beside `materials` that knows one material alone.
@@ -98,29 +165,21 @@ fn refuse_unbroken(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults)
     }
 }
 
-/// Checks the numbers of a material of which a model takes some, with their values in the base material.
-fn check(other: &OtherMaterial, takes: &[(&'static str, f64)], path: &JsonPath, faults: &mut Faults) {
-    for (key, value) in other.keys() {
-        let Some(value) = value else { continue };
-        let Some((_, base)) = takes.iter().find(|of| of.0 == key) else {
+/// Adds a fault for every key of a material in which those of the model do not differ, and for a Poisson's ratio that is none.
+fn check(given: &RegionMaterial, takes: &[(&'static str, f64)], path: &JsonPath, faults: &mut Faults) {
+    let keys = [
+        ("youngs_modulus", given.youngs_modulus.is_some()),
+        ("poisson_ratio", given.poisson_ratio.is_some()),
+        ("shear_modulus", given.shear_modulus.is_some()),
+    ];
+    for (key, _) in keys.into_iter().filter(|key| key.1) {
+        if takes.iter().all(|of| of.0 != key) {
             let all: Vec<String> = takes.iter().map(|of| format!("`{}`", of.0)).collect();
             faults
                 .error(path.key(key), format!("`{key}` is nothing that materials of this model differ in"))
                 .hint(format!("they differ in {}", all.join(", ")));
-            continue;
-        };
-        if key == "poisson_ratio" {
-            admissible(value, path, faults);
-            continue;
-        }
-        let ratio = value / base;
-        if positive(value, key, path.key(key), faults) && !(1.0 / MOST_RATIO..=MOST_RATIO).contains(&ratio) {
-            faults
-                .error(
-                    path.key(key),
-                    format!("it differs from that of `model` by more than a factor of {}", tidy(MOST_RATIO)),
-                )
-                .hint("leave voids out of the body, and hold what is rigid by `rigid`");
+        } else if let Some(ratio) = given.poisson_ratio.filter(|_| key == "poisson_ratio") {
+            admissible(ratio, path, faults);
         }
     }
 }
@@ -130,7 +189,9 @@ pub(crate) fn warn(inputs: &ModelInputs, faults: &mut Faults) {
     let Some(lattice) = inputs.body.cells() else { return };
     let axes = &[[1, 0, 0], [0, 1, 0], [0, 0, 1]][..inputs.body.axes()];
     let rows = inputs.material.about().horizon_ratio as i32;
-    if !inputs.materials.is_one() && inputs.material.about().has_families && lattice.is_plane() {
+    let numbers = &inputs.materials.numbers;
+    let has_interface = numbers.iter().any(|number| *number != numbers[0]);
+    if has_interface && inputs.material.about().has_families && lattice.is_plane() {
         faults
             .warning(
                 root("materials"),
@@ -142,7 +203,7 @@ pub(crate) fn warn(inputs: &ModelInputs, faults: &mut Faults) {
             ));
     }
     for (k, other) in inputs.materials.others.iter().enumerate() {
-        let is_own = |point: &usize| inputs.materials.numbers[*point] == k as u32 + 1;
+        let is_own = |point: &usize| numbers[*point] == k as u32 + 1;
         let own: Vec<usize> = (0..lattice.points()).filter(is_own).collect();
         let is_wide =
             |&point: &usize| axes.iter().all(|step| width(inputs, lattice, point, *step, rows) >= rows);

@@ -16,6 +16,7 @@ pub(crate) mod holes;
 pub(crate) mod interpolate;
 pub(crate) mod materials;
 pub(crate) mod model_inputs;
+mod modulus;
 pub(crate) mod of_case;
 pub(crate) mod periodic;
 pub(crate) mod place_of_point;

@@ -86,8 +86,10 @@ impl ModelInputs {
         };
         let mut materials = self.materials.clone();
         if let Some(part) = body.cells().filter(|_| !materials.is_one()) {
-            let number = |point: usize| Some(self.materials.numbers[lattice.number(part.cell(point))?]);
-            materials.numbers = (0..part.points()).map(|point| number(point).unwrap_or(0)).collect();
+            // Every cell of the part is one of the whole.
+            let of: Vec<usize> = (0..part.points()).filter_map(|p| lattice.number(part.cell(p))).collect();
+            materials.numbers = of.iter().map(|&p| self.materials.numbers[p]).collect();
+            materials.factors = of.iter().map(|&p| self.materials.factors[p]).collect();
         }
         Self { body, materials, ..self.clone() }
     }
