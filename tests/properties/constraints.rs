@@ -146,3 +146,34 @@ proptest! {
         prop_assert!(!contradiction.others.is_empty());
     }
 }
+
+/// Other right-hand sides move the same rows, and what only repeats others must go with them.
+#[test]
+fn right_hand_sides_change_without_a_new_elimination() {
+    let at = |point: usize| Unknown { component: 0, point };
+    let equation = |terms: &[(usize, f64)], value: f64| Equation {
+        terms: terms.iter().map(|&(point, share)| (at(point), share)).collect(),
+        value,
+        origin: String::new(),
+    };
+    let of = |values: [f64; 3]| {
+        [
+            equation(&[(0, 1.0)], values[0]),
+            equation(&[(1, 2.0), (0, 1.0), (3, -1.0)], values[1]),
+            // The sum of both.
+            equation(&[(1, 2.0), (0, 2.0), (3, -1.0)], values[2]),
+        ]
+    };
+    let first = Constraints::new(4, &of([1.0, 3.0, 4.0])).expect("they agree");
+    for values in [[2.0, -6.0, -4.0], [0.0, 0.5, 0.5]] {
+        let moved = first.with_values(&values).expect("they agree");
+        let again = Constraints::new(4, &of(values)).expect("they agree");
+        let mut found = [0.0, 0.0, 7.0, 11.0];
+        let mut expected = found;
+        moved.expand(1.0, &mut found);
+        again.expand(1.0, &mut expected);
+        assert_eq!(found, expected);
+    }
+    assert_eq!(first.with_values(&[1.0, 3.0, 5.0]).err(), Some(2));
+    assert_eq!(first.with_values(&[1.0, 3.0]).err(), Some(2));
+}

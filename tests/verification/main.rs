@@ -42,6 +42,7 @@ mod inclusions;
 mod initial_strain;
 mod interfaces;
 mod literature;
+mod load_factor;
 mod material_cases;
 mod materials;
 mod member_materials;

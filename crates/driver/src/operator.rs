@@ -2,9 +2,10 @@
 
 use crate::model::with_body;
 use crate::run::body::BodyProblem;
-use crate::run::{Problem, constrained};
+use crate::run::{Problem, RunError, constrained, moved};
 use crate::scene::Scene;
 use crate::{Error, Loaded};
+use peristat_assembly::condition::Constraints;
 use peristat_assembly::system::System;
 use sprs::{CsMat, TriMat};
 use std::array::from_fn;
@@ -21,17 +22,18 @@ pub struct Operator {
     states: Vec<State>,
 }
 
-/// What drives a state: forces on the independent unknowns, and the factor on prescribed motions.
+/// What drives a state: forces on the independent unknowns, and the factor on prescribed motions, of the system or its own.
 struct State {
     forces: Vec<f64>,
     motion_factor: f64,
+    own: Option<Constraints>,
 }
 
 /// The operator for any number of unknowns per point.
 trait Form: Send + Sync {
     fn product(&self, q: &[f64], out: &mut [f64]);
     fn matrix(&self) -> CsMat<f64>;
-    fn expand(&self, q: &[f64], motion_factor: f64) -> Vec<f64>;
+    fn expand(&self, q: &[f64], state: &State) -> Vec<f64>;
 }
 
 impl Operator {
@@ -77,7 +79,8 @@ impl Operator {
             points,
             system,
         };
-        let states = (0..problem.states()).map(|state| form.state(problem, state)).collect();
+        let states = (0..problem.states()).map(|state| form.state(problem, state)).collect::<Result<_, _>>();
+        let states = states.map_err(|error| loaded.explain(error))?;
         Ok(Self {
             components: model.components().iter().take(D).map(|component| component.name).collect(),
             points: form.points.len(),
@@ -136,7 +139,7 @@ impl Operator {
     /// There is no such state, or `q` has not one value for every unknown.
     pub fn expand(&self, q: &[f64], state: usize) -> Vec<f64> {
         assert_eq!(q.len(), self.unknowns.len(), "a value for every unknown");
-        self.form.expand(q, self.states[state].motion_factor)
+        self.form.expand(q, &self.states[state])
     }
 }
 
@@ -169,10 +172,12 @@ impl<const D: usize> Numbered<D> {
         out.iter_mut().zip(own).for_each(|(out, own)| *out = own);
     }
 
-    fn state(&self, problem: &dyn Problem<D>, state: usize) -> State {
-        let constraints = self.system.constraints();
+    fn state(&self, problem: &dyn Problem<D>, state: usize) -> Result<State, RunError> {
+        let own = moved(problem, &self.system, state)?.map(|system| system.constraints().clone());
+        let constraints = own.as_ref().unwrap_or(self.system.constraints());
         let mut forces = vec![0.0; self.system.size()];
-        let motion_factor = problem.add_load(state, &mut forces);
+        let factor = problem.add_load(state, &mut forces);
+        let motion_factor = if own.is_some() { 1.0 } else { factor };
         if constraints.moves() {
             let (mut moved, mut held) = (vec![0.0; forces.len()], vec![0.0; forces.len()]);
             constraints.expand(motion_factor, &mut moved);
@@ -180,9 +185,9 @@ impl<const D: usize> Numbered<D> {
             forces.iter_mut().zip(held).for_each(|(force, held)| *force -= held);
         }
         constraints.restrict(&mut forces);
-        let mut own = vec![0.0; self.numbers.len()];
-        self.gather(&forces, &mut own);
-        State { forces: own, motion_factor }
+        let mut gathered = vec![0.0; self.numbers.len()];
+        self.gather(&forces, &mut gathered);
+        Ok(State { forces: gathered, motion_factor, own })
     }
 }
 
@@ -213,9 +218,9 @@ impl<const D: usize> Form for Numbered<D> {
         &dependence.transpose_view().to_csr() * &(&stiffness * &dependence)
     }
 
-    fn expand(&self, q: &[f64], motion_factor: f64) -> Vec<f64> {
+    fn expand(&self, q: &[f64], state: &State) -> Vec<f64> {
         let (mut u, n) = (self.spread(q), self.system.points());
-        self.system.constraints().expand(motion_factor, &mut u);
+        state.own.as_ref().unwrap_or(self.system.constraints()).expand(state.motion_factor, &mut u);
         self.idle.iter().for_each(|&number| u[number] = f64::NAN);
         let of_point = |&point: &usize| from_fn::<f64, D, _>(|c| u[c * n + point] / self.scales[c]);
         self.points.iter().flat_map(of_point).collect()

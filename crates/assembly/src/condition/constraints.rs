@@ -61,6 +61,9 @@ pub struct Constraints {
 /// Coefficients below this part of the largest one of a row are nothing in double precision.
 const UNSEEN: f64 = 1e-18;
 
+/// Part of its terms by which an equation may miss its right-hand side: corners of two edges are held once, to rounding.
+const ROUNDING: f64 = 1e-8;
+
 /// Row under construction, with the equations that went into it.
 struct Pending {
     masters: Vec<(usize, f64)>,
@@ -103,6 +106,32 @@ impl Constraints {
         rows.sort_by_key(|r| r.unknown);
         let has_slaves = rows.iter().any(|r| !r.masters.is_empty());
         Ok(Self { rows, equations: numbered, has_slaves })
+    }
+
+    /// The same with other right-hand sides, those of the first equations; those of the rest are zero.
+    ///
+    /// # Errors
+    /// The number of an equation that the ones before it violate.
+    pub fn with_values(&self, values: &[f64]) -> Result<Self, usize> {
+        let value = |equation: usize| values.get(equation).copied().unwrap_or(0.0);
+        let mut all = self.clone();
+        for row in &mut all.rows {
+            row.value = row.sources.iter().map(|&(equation, share)| share * value(equation)).sum();
+        }
+        // What is independent counts for nothing: an equation holds whatever it is.
+        let prescribed = |unknown: usize| {
+            let found = all.rows.binary_search_by_key(&unknown, |row| row.unknown);
+            found.map_or(0.0, |row| all.rows[row].value)
+        };
+        let holds = |(k, terms): (usize, &Vec<(usize, f64)>)| {
+            let parts = terms.iter().map(|&(unknown, share)| share * prescribed(unknown));
+            let (sum, size) = parts.fold((0.0, value(k).abs()), |(s, a), part| (s + part, a + part.abs()));
+            (sum - value(k)).abs() <= ROUNDING * size
+        };
+        match self.equations.iter().enumerate().position(|equation| !holds(equation)) {
+            Some(violated) => Err(violated),
+            None => Ok(all),
+        }
     }
 
     /// The rows of some unknowns under other numbers, without prescribed parts and equations. What depends on an unknown without

@@ -1,7 +1,8 @@
 //! Supports, links and loads of a case.
 
 use super::{
-    Amount, BodyForce, Gravity, InitialStrain, LineLoad, Names, Pressure, Spin, Temperature, Traction,
+    Amount, Amounts, BodyForce, Gravity, InitialStrain, LineLoad, Names, Pressure, Spin, Temperature,
+    Traction, knows_load_factor,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -186,6 +187,29 @@ pub enum Load {
     InitialStrain(InitialStrain),
 }
 
+impl Load {
+    /// Whether a formula of it knows the load factor: then it is not proportional to that.
+    pub(crate) fn knows_load_factor(&self) -> bool {
+        let any = |amounts: &[&Option<Amount>]| {
+            amounts.iter().any(|amount| amount.as_ref().is_some_and(Amount::knows_load_factor))
+        };
+        let all = |amounts: &Option<Amounts>| {
+            amounts.as_ref().is_some_and(|amounts| amounts.0.iter().any(Amount::knows_load_factor))
+        };
+        match self {
+            Self::Traction(load) => any(&[&load.pressure]) || all(&load.formula),
+            Self::BodyForce(load) => all(&load.density),
+            Self::Temperature(load) => any(&[&load.change]),
+            Self::Line(load) => any(&[&load.force, &load.moment_n, &load.moment_t]),
+            Self::Pressure(load) => load.formula.as_deref().is_some_and(knows_load_factor),
+            Self::Distributed(load) => load.forces().any(
+                |(_, force)| matches!(force, Some(DistributedForce::Formula(text)) if knows_load_factor(text)),
+            ),
+            Self::Point(_) | Self::Gravity(_) | Self::Spin(_) | Self::InitialStrain(_) => false,
+        }
+    }
+}
+
 /// A concentrated force and moment.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -259,6 +283,20 @@ pub struct Distributed {
     pub moment: Option<DistributedForce>,
 }
 
+impl Distributed {
+    /// Its values by keys.
+    pub(crate) fn forces(&self) -> impl Iterator<Item = (&'static str, &Option<DistributedForce>)> {
+        [
+            ("force", &self.force),
+            ("axial", &self.axial),
+            ("force_x", &self.force_x),
+            ("force_y", &self.force_y),
+            ("moment", &self.moment),
+        ]
+        .into_iter()
+    }
+}
+
 /// How a distributed load varies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -269,7 +307,7 @@ pub enum DistributedForce {
     Linear([f64; 2]),
     /// A sine wave over the loaded length.
     Sine(Sine),
-    /// A formula of the position x, on a member the distance from its joint `from`; parabolas through its values at 513 places of
+    /// A formula of the position x, on a member the distance from its joint `from`, and of `load_factor` where there are steps; parabolas through its values at 513 places of
     /// the loaded length act.
     Formula(String),
 }
@@ -314,6 +352,7 @@ pub struct Combination {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Steps {
-    /// Factor on all loads and prescribed motions, one per step.
+    /// Factor on all loads and prescribed motions, one per step; those whose formulas know it, as `load_factor`, have the value of
+    /// these.
     pub load_factors: Vec<f64>,
 }

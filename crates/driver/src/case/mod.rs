@@ -37,8 +37,8 @@ mod vertex;
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
 pub use about_field::{Field, Origin, PlateOrigin, Unit};
-pub(crate) use amount::number;
 pub use amount::{Amount, Amounts};
+pub(crate) use amount::{LOAD_FACTOR, knows_load_factor, number};
 pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
@@ -48,7 +48,7 @@ pub use crack::{CrackDisc, GivenCrack};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
 pub use facts::{FRACTURE_FACTS, PATH_FACTS};
 pub use field::FieldName;
-pub use foundation::Foundation;
+pub use foundation::{BedStiffness, Foundation};
 pub use fracture::{CrackDirection, Fracture, Strategy};
 pub use frame::{AxialForce, Frame, Joint, Member, MemberEnd, Offsets};
 pub use grading::Grading;

@@ -1,6 +1,6 @@
 //! Named regions of bodies, and what moves as a rigid body.
 
-use super::{Names, Vector};
+use super::{Amount, Names, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -125,27 +125,27 @@ pub struct Rigid {
     /// What its rotation is about and its displacements are of; the centroid of its points if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre: Option<Vector>,
-    /// Prescribed displacement of the centre along x.
+    /// Prescribed displacement of the centre along x; it and all others may be formulas of `load_factor`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub ux: Option<f64>,
+    pub ux: Option<Amount>,
     /// Prescribed displacement of the centre along y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub uy: Option<f64>,
+    pub uy: Option<Amount>,
     /// Prescribed displacement of the centre along z, of a solid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub uz: Option<f64>,
+    pub uz: Option<Amount>,
     /// Prescribed rotation in the plane, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub phi: Option<f64>,
+    pub phi: Option<Amount>,
     /// Prescribed rotation about x, of a solid, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub phi_x: Option<f64>,
+    pub phi_x: Option<Amount>,
     /// Prescribed rotation about y, of a solid, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub phi_y: Option<f64>,
+    pub phi_y: Option<Amount>,
     /// Prescribed rotation about z, of a solid, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub phi_z: Option<f64>,
+    pub phi_z: Option<Amount>,
     /// Where it bears on the rest of the body, like a pin in its hole; everywhere if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bearing: Option<Bearing>,

@@ -107,11 +107,40 @@ pub(super) fn check_memory(needed: u64, max_memory: Option<u64>) -> Result<(), R
 /// # Errors
 /// A contradiction of its equations.
 pub(super) fn assembled<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, Contradiction> {
-    let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
-    if !problem.springs().is_empty() {
-        springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));
+    System::new(problem.model(), springs(problem), problem.equations().to_vec())
+}
+
+fn springs<const D: usize>(problem: &dyn Problem<D>) -> Vec<Box<dyn Term<D>>> {
+    if problem.springs().is_empty() {
+        return Vec::new();
     }
-    System::new(problem.model(), springs, problem.equations().to_vec())
+    vec![Box::new(Springs::new(problem.model().points(), problem.springs().to_vec()))]
+}
+
+/// The system of a problem in a state whose motions are no multiple of those at a factor of one; none where they are.
+///
+/// # Errors
+/// Motions that contradict each other.
+pub(crate) fn moved<const D: usize>(
+    problem: &dyn Problem<D>,
+    system: &System<D>,
+    state: usize,
+) -> Result<Option<System<D>>, RunError> {
+    let Some(values) = problem.motions(state) else { return Ok(None) };
+    match system.constraints().with_values(&values) {
+        Ok(constraints) => Ok(Some(System::with_constraints(problem.model(), springs(problem), constraints))),
+        Err(violated) => {
+            let origin = problem.equations().get(violated).map_or("supports", |e| &e.origin);
+            let mut faults = Faults::default();
+            faults
+                .error(
+                    JsonPath::from_str(origin).unwrap_or_default(),
+                    format!("`{origin}` contradicts other motions in step {}", state + 1),
+                )
+                .hint(CONTRADICTION);
+            Err(RunError::Case(faults))
+        }
+    }
 }
 
 fn system<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunError> {

@@ -35,6 +35,12 @@ pub trait Problem<const D: usize> {
     /// Adds the loads of a state to `force`, `D` planes, and returns the factor on prescribed motions.
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64;
 
+    /// Right-hand sides of the equations in a state whose motions are no multiple of these; none where they are, by the factor of
+    /// [`add_load`](Self::add_load).
+    fn motions(&self, _state: usize) -> Option<Vec<f64>> {
+        None
+    }
+
     /// How its points lie.
     fn spread(&self) -> Spread {
         Spread::Chain

@@ -5,6 +5,7 @@ use super::error::RunError;
 use super::linear::LinearSolver;
 use super::load::Load;
 use super::method;
+use super::prepare;
 use super::problem::Problem;
 use super::report::{RunReport, Timing};
 use super::scene_sizes::Sizes;
@@ -68,6 +69,7 @@ pub(super) fn solve_states_by<'a, const D: usize>(
         None => LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?,
     };
     let mut load = vec![0.0; system.size()];
+    let mut evaluations = 0;
     let (mut converged, mut last, mut record_time, mut is_interrupted) = (true, None, 0.0, false);
     let mut record = |solved: SolvedState| {
         let begin = Instant::now();
@@ -77,7 +79,9 @@ pub(super) fn solve_states_by<'a, const D: usize>(
     };
     for state in 0..problem.states() {
         load.fill(0.0);
-        let motion_factor = problem.add_load(state, &mut load);
+        let factor = problem.add_load(state, &mut load);
+        let moved = prepare::moved(problem, system, state)?;
+        let (system, motion_factor) = moved.as_ref().map_or((system, factor), |moved| (moved, 1.0));
         let (mut solution, mut certificate) =
             certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
         let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
@@ -87,6 +91,7 @@ pub(super) fn solve_states_by<'a, const D: usize>(
                 certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
         }
         converged &= certificate.converged;
+        evaluations += moved.as_ref().map_or(0, System::evaluations);
         if state + 1 == problem.states() {
             last = Some((state, solution, certificate));
         } else if !record(SolvedState { state, load: &load, solution, certificate })? {
@@ -101,7 +106,7 @@ pub(super) fn solve_states_by<'a, const D: usize>(
         record(SolvedState { state, load: &load, solution, certificate })?;
     }
     timing.record += record_time;
-    counters.bond_evaluations = system.evaluations();
+    counters.bond_evaluations = evaluations + system.evaluations();
     counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
     Ok(RunReport {
         sizes,

@@ -1,5 +1,6 @@
-//! Expressions in the coordinates of the points of a body.
+//! Expressions in the coordinates of the points of a body, and in the load factor of a step.
 
+use crate::case::LOAD_FACTOR;
 use exmex::{BinOp, Express, FlatEx, FloatOpsFactory, MakeOperators, MatchLiteral, Operator};
 use peristat_assembly::body::PointBody;
 
@@ -31,7 +32,10 @@ impl MakeOperators<f64> for Operators {
 }
 
 /// Names that are no functions.
-const NAMES: [&str; 6] = ["x", "y", "z", "pi", "e", "π"];
+const NAMES: [&str; 7] = ["x", "y", "z", "pi", "e", "π", LOAD_FACTOR];
+
+/// Where the load factor stands among the variables, behind the coordinates.
+const FACTOR: usize = 3;
 
 /// Refuses names that neither are known nor have parentheses behind them: `sin x^2` could mean two things.
 fn check_names(text: &str) -> Result<(), String> {
@@ -131,7 +135,7 @@ fn with_zeros(text: &str) -> Result<String, String> {
 /// # Errors
 /// What is wrong with the expression, or where it has no value.
 pub(crate) fn values(text: &str, body: &PointBody) -> Result<Vec<f64>, String> {
-    let formula = Formula::new(text, body.axes())?;
+    let formula = Formula::new(text, body.axes(), None)?;
     (0..body.points()).map(|k| formula.at(body.position(k))).collect()
 }
 
@@ -139,16 +143,17 @@ pub(crate) fn values(text: &str, body: &PointBody) -> Result<Vec<f64>, String> {
 #[derive(Clone, Debug)]
 pub(crate) struct Formula {
     parsed: FlatEx<f64, Operators, Number>,
-    /// For each of its variables the axis that it is a position on.
-    axes: Vec<usize>,
+    /// For each of its variables the axis that it is a position on, or that it is the load factor.
+    variables: Vec<usize>,
+    factor: f64,
 }
 
 impl Formula {
-    /// An expression in the first coordinates.
+    /// An expression in the first coordinates, and in the load factor where there is one.
     ///
     /// # Errors
     /// What is wrong with it.
-    pub(crate) fn new(text: &str, coordinates: usize) -> Result<Self, String> {
+    pub(crate) fn new(text: &str, coordinates: usize, factor: Option<f64>) -> Result<Self, String> {
         if text.chars().count() > LONGEST {
             return Err(format!("a formula has at most {LONGEST} characters"));
         }
@@ -159,6 +164,11 @@ impl Formula {
         let parsed = FlatEx::<f64, Operators, Number>::parse(&parsed)
             .map_err(|error| format!("this is no formula: {error}"))?;
         let axis = |name: &String| match name.as_str() {
+            LOAD_FACTOR if factor.is_some() => Ok(FACTOR),
+            LOAD_FACTOR => Err(format!(
+                "`{LOAD_FACTOR}` is known to loads, and to motions of bodies, that `steps` follow"
+            )),
+            "x" | "y" | "z" if coordinates == 0 => Err(format!("`{name}` is nothing that this varies with")),
             "x" => Ok(0),
             "y" if coordinates > 1 => Ok(1),
             "y" => Err("there is no `y` on a line".to_string()),
@@ -167,13 +177,13 @@ impl Formula {
             "z" => Err("there is no `z` on a line".to_string()),
             other => Err(format!("there is no `{other}` in formulas")),
         };
-        let axes = parsed.var_names().iter().map(axis).collect::<Result<_, _>>()?;
-        Ok(Self { parsed, axes })
+        let variables = parsed.var_names().iter().map(axis).collect::<Result<_, _>>()?;
+        Ok(Self { parsed, variables, factor: factor.unwrap_or(1.0) })
     }
 
     /// Whether it has the same value everywhere.
     pub(crate) fn is_constant(&self) -> bool {
-        self.axes.is_empty()
+        self.variables.iter().all(|variable| *variable == FACTOR)
     }
 
     /// Its value at a position.
@@ -181,9 +191,10 @@ impl Formula {
     /// # Errors
     /// It has none there.
     pub(crate) fn at(&self, place: [f64; 3]) -> Result<f64, String> {
-        let mut variables = [0.0; 3];
-        variables.iter_mut().zip(&self.axes).for_each(|(v, axis)| *v = place[*axis]);
-        let value = self.parsed.eval(&variables[..self.axes.len()]).map_err(|error| error.to_string())?;
+        let [x, y, z] = place;
+        let all = [x, y, z, self.factor];
+        let values: Vec<f64> = self.variables.iter().map(|variable| all[*variable]).collect();
+        let value = self.parsed.eval(&values).map_err(|error| error.to_string())?;
         match value.is_finite() {
             true => Ok(value),
             false => Err(format!("the formula is {value} at the point ({}, {})", place[0], place[1])),
@@ -196,7 +207,17 @@ mod tests {
     use super::*;
 
     fn at(text: &str, x: f64, y: f64) -> Result<f64, String> {
-        Formula::new(text, 2)?.at([x, y, 0.0])
+        Formula::new(text, 2, None)?.at([x, y, 0.0])
+    }
+
+    #[test]
+    fn the_load_factor_is_a_number_where_there_are_steps() {
+        let at = |text: &str, factor| Formula::new(text, 2, factor)?.at([2.0, 3.0, 0.0]);
+        assert_eq!(at("x*load_factor^2 + y", Some(0.5)), Ok(3.5));
+        assert_eq!(at("max(load_factor, x)", Some(7.0)), Ok(7.0));
+        assert!(at("load_factor*x", None).unwrap_err().contains("that `steps` follow"));
+        assert!(Formula::new("2*load_factor", 2, Some(1.0)).unwrap().is_constant());
+        assert!(Formula::new("2*x", 0, Some(1.0)).unwrap_err().contains("nothing that this varies with"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Numbers that a case prescribes at places.
 
 use super::formula::Formula;
-use crate::case::Amount;
+use crate::case::{Amount, Steps};
 use crate::diagnostic::{Faults, JsonPath};
 
 /// A number that is the same everywhere, or a formula of the position.
@@ -12,21 +12,29 @@ pub(crate) enum Prescribed {
 }
 
 impl Prescribed {
-    /// What is given, in the first `axes` coordinates; `path` is where it is given. A formula without coordinates is its number.
-    pub(crate) fn new(given: &Amount, axes: usize, path: &JsonPath, faults: &mut Faults) -> Option<Self> {
+    /// What is given, in the first `axes` coordinates and at a load factor, where formulas may know it; `path` is where it is given. A
+    /// formula without coordinates is its number.
+    pub(crate) fn new(
+        given: &Amount,
+        (axes, factor): (usize, Option<f64>),
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<Self> {
         let text = match given {
             Amount::Number(value) => return Some(Self::Number(*value)),
             Amount::Formula(text) => text,
         };
-        let found = Formula::new(text, axes).and_then(|formula| match formula.is_constant() {
+        let found = Formula::new(text, axes, factor).and_then(|formula| match formula.is_constant() {
             true => formula.at([0.0; 3]).map(Self::Number),
             false => Ok(Self::Formula(Box::new(formula))),
         });
         found
             .map_err(|reason| {
-                faults
-                    .error(path.clone(), reason)
-                    .hint("for example `1e-3*x - 2*y^2`, in x and y, and z of a solid");
+                let hint = match given.knows_load_factor() && factor.is_none() {
+                    true => "give \"steps\": { \"load_factors\": [0.5, 1] }; load cases, and bodies that break or soften, grow in proportion",
+                    false => "for example `1e-3*x - 2*y^2`, in x and y, and z of a solid",
+                };
+                faults.error(path.clone(), reason).hint(hint);
             })
             .ok()
     }
@@ -71,4 +79,54 @@ pub(crate) fn along(given: &Along, place: [f64; 3]) -> Result<[f64; 3], String> 
         *value = given.at(place)?;
     }
     Ok(values)
+}
+
+/// A motion that a support prescribes: one that grows with the load factor, or what it is in every step.
+#[derive(Clone, Debug)]
+pub(crate) enum Motion {
+    /// At a factor of one.
+    Proportional(Prescribed),
+    /// Per step its load factor and what is prescribed then.
+    BySteps(Vec<(f64, Prescribed)>),
+}
+
+impl Motion {
+    /// What is given, in the first `axes` coordinates; `path` is where it is given.
+    pub(crate) fn new(
+        given: &Amount,
+        axes: usize,
+        steps: Option<&Steps>,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        let Some(steps) = steps.filter(|_| given.knows_load_factor()) else {
+            return Prescribed::new(given, (axes, None), path, faults).map(Self::Proportional);
+        };
+        let step =
+            |&factor: &f64| Some((factor, Prescribed::new(given, (axes, Some(factor)), path, faults)?));
+        steps.load_factors.iter().map(step).collect::<Option<_>>().map(Self::BySteps)
+    }
+
+    /// Whether nothing moves.
+    pub(crate) fn is_zero(&self) -> bool {
+        match self {
+            Self::Proportional(given) => given.is_zero(),
+            Self::BySteps(steps) => steps.iter().all(|(_, given)| given.is_zero()),
+        }
+    }
+
+    /// What is prescribed at a place, if that is proportional at a factor of one, else in every step; with the other of two the
+    /// steps of which they are.
+    ///
+    /// # Errors
+    /// A formula has no value there.
+    pub(crate) fn values(&self, place: [f64; 3], other: Option<&Self>) -> Result<Vec<f64>, String> {
+        match (self, other) {
+            (Self::Proportional(given), Some(Self::BySteps(steps))) => {
+                steps.iter().map(|(factor, _)| Ok(factor * given.at(place)?)).collect()
+            }
+            (Self::Proportional(given), _) => Ok(vec![given.at(place)?]),
+            (Self::BySteps(steps), _) => steps.iter().map(|(_, given)| given.at(place)).collect(),
+        }
+    }
 }

@@ -15,8 +15,8 @@ pub(crate) fn refuse(case: &Case, faults: &mut Faults) {
     }
     for (k, rigid) in case.rigid.iter().enumerate() {
         let path = root("rigid").index(k);
-        let turns = [("phi_x", rigid.phi_x), ("phi_y", rigid.phi_y), ("phi_z", rigid.phi_z)];
-        for (key, value) in [("uz", rigid.uz)].into_iter().chain(turns) {
+        let turns = [("phi_x", &rigid.phi_x), ("phi_y", &rigid.phi_y), ("phi_z", &rigid.phi_z)];
+        for (key, value) in [("uz", &rigid.uz)].into_iter().chain(turns) {
             tell(key, value.is_some(), &path, faults);
         }
     }

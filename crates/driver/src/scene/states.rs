@@ -16,10 +16,21 @@ pub(super) struct Sum {
     pub(super) terms: Vec<(usize, f64)>,
 }
 
-/// Every load case of the case, as `resolve` makes it of its loads and their path; plain `loads` are one load case.
+/// Loads that act together.
+pub(super) struct Group<'a> {
+    /// Where they stand in the case.
+    pub(super) path: JsonPath,
+    /// With their numbers there.
+    pub(super) loads: Vec<(usize, &'a Load)>,
+    /// The load factor of a step, of loads that know it.
+    pub(super) factor: Option<f64>,
+}
+
+/// Every load case of the case, as `resolve` makes it of its loads; plain `loads` are one load case, followed by one per step of
+/// those whose formulas know the load factor, if there are such.
 pub(super) fn load_cases<L>(
     case: &Case,
-    mut resolve: impl FnMut(&[Load], &JsonPath, &mut Faults) -> L,
+    mut resolve: impl FnMut(&Group, &mut Faults) -> L,
     faults: &mut Faults,
 ) -> Vec<L> {
     if !case.loads.is_empty() && !case.load_cases.is_empty() {
@@ -28,7 +39,19 @@ pub(super) fn load_cases<L>(
             .hint("move the loads into a load case");
     }
     if case.load_cases.is_empty() {
-        return vec![resolve(&case.loads, &root("loads"), faults)];
+        let is_by_step = |(_, load): &(usize, &Load)| case.steps.is_some() && load.knows_load_factor();
+        let (by_step, proportional): (Vec<_>, Vec<_>) = case.loads.iter().enumerate().partition(is_by_step);
+        let group = |loads, factor| Group { path: root("loads"), loads, factor };
+        let mut all = vec![resolve(&group(proportional, None), faults)];
+        for &factor in case.steps.iter().filter(|_| !by_step.is_empty()).flat_map(|s| &s.load_factors) {
+            // What is wrong in one step is so in others.
+            let mut own = Faults::default();
+            all.push(resolve(&group(by_step.clone(), Some(factor)), &mut own));
+            if all.len() == 2 || own.has_errors() && !faults.has_errors() {
+                faults.append(own);
+            }
+        }
+        return all;
     }
     let mut names = HashSet::new();
     let each = case.load_cases.iter().enumerate().map(|(k, c)| {
@@ -36,7 +59,8 @@ pub(super) fn load_cases<L>(
         if !names.insert(&c.name) {
             faults.error(path.key("name"), format!("there are two load cases `{}`", c.name));
         }
-        resolve(&c.loads, &path.key("loads"), faults)
+        let loads = c.loads.iter().enumerate().collect();
+        resolve(&Group { path: path.key("loads"), loads, factor: None }, faults)
     });
     each.collect()
 }
@@ -55,10 +79,11 @@ pub(super) fn sums(case: &Case, faults: &mut Faults) -> Vec<Sum> {
                 .error(path, "`load_factors` is empty")
                 .hint("for example [0.5, 1.0]; without `steps` the loads act at once");
         }
+        let by_step = case.loads.iter().any(Load::knows_load_factor);
         let step = |(k, &factor): (usize, &f64)| Sum {
             name: format!("step {}", k + 1),
             load_factor: factor,
-            terms: vec![(0, factor)],
+            terms: std::iter::once((0, factor)).chain(by_step.then_some((k + 1, 1.0))).collect(),
         };
         return steps.load_factors.iter().enumerate().map(step).collect();
     }

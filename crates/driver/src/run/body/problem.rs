@@ -71,6 +71,11 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         state.motion_factor
     }
 
+    fn motions(&self, state: usize) -> Option<Vec<f64>> {
+        let of = self.scene.conditions.in_step(state, self.scene.states[state].load_factor)?;
+        Some(of.equations(&|p| self.scene.model.position(p)).iter().map(|equation| equation.value).collect())
+    }
+
     fn breaks(&self) -> bool {
         self.scene.case.is_traced()
     }

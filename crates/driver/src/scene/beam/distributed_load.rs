@@ -17,10 +17,10 @@ const WORDS: Words = Words {
     of_a_member: "a load on a frame names its member; `from` and `to` are distances from the joint `from` of that",
 };
 
-/// Resolves a distributed load.
+/// Resolves a distributed load, at the load factor of a step where its formulas know that.
 pub(super) fn add(
     load: &Written,
-    layout: &Layout,
+    (layout, factor): (&Layout, Option<f64>),
     path: &JsonPath,
     to: &mut ResolvedLoads,
     faults: &mut Faults,
@@ -36,14 +36,7 @@ pub(super) fn add(
     }
     let given = GivenExtent { member: load.member.as_deref(), from: load.from, to: load.to };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
-    let values = [
-        ("force", &load.force),
-        ("axial", &load.axial),
-        ("force_x", &load.force_x),
-        ("force_y", &load.force_y),
-        ("moment", &load.moment),
-    ];
-    if values.iter().all(|(_, value)| value.is_none()) {
+    if load.forces().all(|(_, value)| value.is_none()) {
         let hint = match layout.frame {
             Some(_) => {
                 "give `force`, `axial`, `force_x`, `force_y` or `moment`, each per length of the member"
@@ -54,9 +47,9 @@ pub(super) fn add(
     }
     let Some(Extent { chain, from, to: end }) = extent else { return };
     let direction = layout.direction(chain);
-    for (key, value) in values {
+    for (key, value) in load.forces() {
         let Some(value) = value else { continue };
-        let pieces = pieces(value, &layout.lines[chain], [from, end], &path.key(key), faults);
+        let pieces = pieces((value, factor), &layout.lines[chain], [from, end], &path.key(key), faults);
         // Shares of the value across the line, along it, and in rotation.
         let [across, along, turning] = match key {
             "force" => [1.0, 0.0, 0.0],
@@ -90,7 +83,7 @@ type Piece = ([f64; 2], Intensity);
 
 /// The values along the loaded length; none where there is a fault.
 fn pieces(
-    value: &DistributedForce,
+    (value, factor): (&DistributedForce, Option<f64>),
     line: &LayoutLine,
     [from, to]: [f64; 2],
     path: &JsonPath,
@@ -109,8 +102,8 @@ fn pieces(
         let parabola = Intensity::Parabola { start: start?, middle: middle?, end: end? };
         Ok(([place(f64::from(k)), place(f64::from(k + 1))], parabola))
     };
-    let found =
-        Formula::new(text, 1).and_then(|formula| (0..PIECES).map(|k| parabola(&formula, k)).collect());
+    let found = Formula::new(text, 1, factor)
+        .and_then(|formula| (0..PIECES).map(|k| parabola(&formula, k)).collect());
     found.unwrap_or_else(|reason| {
         faults.error(path.key("formula"), reason).hint("for example `12*sin(pi*x/4)^2`, in x along the line");
         Vec::new()

@@ -4,7 +4,7 @@ use super::extent::{self, Extent, GivenExtent, Words};
 use super::one_way::{OneWay, Origin, Part};
 use super::place::Layout;
 use super::profile;
-use crate::case::{Case, Foundation, Sign};
+use crate::case::{BedStiffness, Case, Foundation, Sign};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::material::Profile;
@@ -43,11 +43,26 @@ fn bed(foundation: &Foundation, layout: &Layout, path: &JsonPath, faults: &mut F
         GivenExtent { member: foundation.member.as_deref(), from: foundation.from, to: foundation.to };
     let Extent { chain, from, to } = extent::find(&given, layout, path, &WORDS, faults)?;
     let at = path.key("stiffness");
-    let stiffness = foundation.stiffness.clone();
+    let stiffness = along(&foundation.stiffness, &at, faults)?;
     let fine =
         profile::is_well_formed(&stiffness, &at, faults) && can_carry(&stiffness, to - from, &at, faults);
     let only = foundation.only.map(Sign::factor);
     fine.then_some(Bed { chain, extent: [from, to], stiffness, only })
+}
+
+/// The stiffness by the distance from the start; a fault for one by a formula.
+fn along(given: &BedStiffness, path: &JsonPath, faults: &mut Faults) -> Option<Profile> {
+    match given {
+        BedStiffness::Uniform(value) => Some(Profile::Uniform(*value)),
+        BedStiffness::Polynomial(coefficients) => Some(Profile::Polynomial(coefficients.clone())),
+        BedStiffness::Table(pairs) => Some(Profile::Table(pairs.clone())),
+        BedStiffness::Formula(_) => {
+            faults
+                .error(path.key("formula"), "a formula is for foundations of plates")
+                .hint("under a beam the stiffness is `uniform`, a `polynomial` or a `table`");
+            None
+        }
+    }
 }
 
 /// A foundation must not push, and must hold something.

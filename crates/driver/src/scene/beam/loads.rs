@@ -7,9 +7,9 @@ use super::section::Resolved;
 use super::state::State;
 use super::{distributed_load, heat, initial_strain, point_load, weight};
 use crate::case::{Case, Load, LoadSharing};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::Faults;
 use crate::model::Beam;
-use crate::scene::states::{self, Sum};
+use crate::scene::states::{self, Group, Sum};
 use peristat_assembly::model::timoshenko_beam::BeamLoads;
 
 /// All load cases; a case with plain `loads` has one. Fills in how the model shares distributed loads.
@@ -43,10 +43,11 @@ pub(super) fn load_cases(
             .hint("leave `distributed_loads` out: errors of loads and foundation on the points cancel in part, with `consistent` loads they do not");
     }
     let lumped = sharing == LoadSharing::Lumped;
-    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+    let resolve = |group: &Group, faults: &mut Faults| {
         let mut resolved = ResolvedLoads::default();
         resolved.loads.lumped = lumped;
-        for (k, load) in loads.iter().enumerate() {
+        let path = &group.path;
+        for &(k, load) in &group.loads {
             match load {
                 Load::Point(load) => {
                     point_load::add(load, layout, &path.index(k).key("point"), &mut resolved, faults)
@@ -70,7 +71,7 @@ pub(super) fn load_cases(
                 }
                 Load::Distributed(load) => {
                     let path = path.index(k).key("distributed");
-                    distributed_load::add(load, layout, &path, &mut resolved, faults);
+                    distributed_load::add(load, (layout, group.factor), &path, &mut resolved, faults);
                 }
             }
         }

@@ -121,6 +121,7 @@ impl BodyScene {
             cracks: &cracks,
             inputs: &inputs,
             model: built.as_deref(),
+            factor: None,
         };
         let load_cases = load_cases::load_cases(&context, faults);
         let moves = held.iter().flat_map(|h| &h.motions).any(|m| !m.1.is_zero())

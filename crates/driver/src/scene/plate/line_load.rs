@@ -19,7 +19,7 @@ struct Piece {
 /// Adds a load along a line.
 pub(super) fn add(
     load: &LineLoad,
-    site: &Site,
+    (site, factor): (&Site, Option<f64>),
     plate: &PlateBending,
     path: &JsonPath,
     to: &mut PlateLoads,
@@ -58,11 +58,13 @@ pub(super) fn add(
         }
     }
     let mut given = |key: &str, amount: &Option<Amount>| {
-        amount.as_ref().and_then(|amount| Prescribed::new(amount, 2, &path.key(key), faults))
+        amount.as_ref().and_then(|amount| Prescribed::new(amount, (2, factor), &path.key(key), faults))
     };
     let [force, normal, tangent] =
         [given("force", &load.force), given("moment_n", &load.moment_n), given("moment_t", &load.moment_t)];
-    if [&force, &normal, &tangent].iter().all(|part| part.as_ref().is_none_or(Prescribed::is_zero)) {
+    if factor.is_none()
+        && [&force, &normal, &tangent].iter().all(|part| part.as_ref().is_none_or(Prescribed::is_zero))
+    {
         faults.error(path.clone(), "this load is zero").hint("give `force`, or `moment_n` on an edge");
     }
     let at = |of: &Option<Prescribed>, [x, y]: [f64; 2]| match of {

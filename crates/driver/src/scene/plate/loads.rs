@@ -4,32 +4,33 @@ use super::plate_loads::PlateLoads;
 use super::site::Site;
 use super::{foreign, line_load, point_load, pressure};
 use crate::case::Load;
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, root};
 use crate::scene::Resultant;
-use crate::scene::states;
+use crate::scene::states::{self, Group};
 use peristat_assembly::model::plate_bending::PlateBending;
 
 /// All load cases.
 pub(super) fn load_cases(site: &Site, plate: &PlateBending, faults: &mut Faults) -> Vec<PlateLoads> {
-    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+    let resolve = |group: &Group, faults: &mut Faults| {
         let mut to = PlateLoads {
             force: vec![0.0; 3 * site.nodes.points()],
             asked: Resultant::default(),
             is_approximate: false,
         };
-        for (k, load) in loads.iter().enumerate() {
-            let path = path.index(k);
+        let at = (site, group.factor);
+        for &(k, load) in &group.loads {
+            let path = group.path.index(k);
             match load {
                 Load::Pressure(load) => {
-                    pressure::add(load, site, plate, &path.key("pressure"), &mut to, faults);
+                    pressure::add(load, at, plate, &path.key("pressure"), &mut to, faults);
                 }
-                Load::Line(load) => line_load::add(load, site, plate, &path.key("line"), &mut to, faults),
+                Load::Line(load) => line_load::add(load, at, plate, &path.key("line"), &mut to, faults),
                 Load::Point(load) => point_load::add(load, site, &path.key("point"), &mut to, faults),
                 other => foreign::refuse(other, &path, faults),
             }
         }
         if !to.force.iter().all(|f| f.is_finite()) {
-            faults.error(path.clone(), "a formula of these loads has no value where it acts");
+            faults.error(group.path.clone(), "a formula of these loads has no value where it acts");
         }
         to
     };

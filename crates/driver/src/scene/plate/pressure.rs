@@ -15,7 +15,7 @@ const COARSE: f64 = 0.01;
 /// Adds a pressure.
 pub(super) fn add(
     load: &Pressure,
-    site: &Site,
+    (site, factor): (&Site, Option<f64>),
     plate: &PlateBending,
     path: &JsonPath,
     to: &mut PlateLoads,
@@ -34,8 +34,8 @@ pub(super) fn add(
         Some(formula) => Amount::Formula(formula.clone()),
         None => Amount::Number(load.value),
     };
-    let Some(pressure) = Prescribed::new(&given, 2, &path.key("formula"), faults) else { return };
-    if pressure.is_zero() {
+    let Some(pressure) = Prescribed::new(&given, (2, factor), &path.key("formula"), faults) else { return };
+    if pressure.is_zero() && factor.is_none() {
         faults.error(path.clone(), "this load is zero").hint("give `value`, or a `formula`");
     }
     let region = match &load.region {

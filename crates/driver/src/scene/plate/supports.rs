@@ -142,7 +142,7 @@ impl OneSupport<'_> {
     }
 
     fn prescribed(&self, key: &str, given: Option<&Amount>, faults: &mut Faults) -> Option<Prescribed> {
-        Prescribed::new(given?, 2, &self.path.key(key), faults)
+        Prescribed::new(given?, (2, None), &self.path.key(key), faults)
     }
 
     fn value(&self, key: &str, of: &Prescribed, point: u32, faults: &mut Faults) -> f64 {

@@ -51,6 +51,17 @@ impl Conditions {
         equations
     }
 
+    /// The same with the motions of a step in place of those at a factor of one; none where all grow with the load factor.
+    pub(crate) fn in_step(&self, step: usize, factor: f64) -> Option<Self> {
+        let varies = self.holds.iter().any(|h| !h.by_step.is_empty())
+            || self.rigid.iter().any(|r| !r.by_step.is_empty());
+        varies.then(|| Self {
+            holds: self.holds.iter().map(|h| h.in_step(step, factor)).collect(),
+            rigid: self.rigid.iter().map(|r| r.in_step(step, factor)).collect(),
+            ..self.clone()
+        })
+    }
+
     /// The rotation of one of the rigid regions about an axis, rad, of a state by its unknowns.
     pub(crate) fn rotation(
         &self,
@@ -81,11 +92,13 @@ impl Conditions {
         let holds = self.holds.iter().map(|h| {
             let points = parents(&h.points);
             let chains = h.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(coarse, &points));
-            HeldPoints { values: vec![0.0; points.len()], points, chains, pieces: Vec::new(), ..h.clone() }
+            let (values, pieces, by_step) = (vec![0.0; points.len()], Vec::new(), Vec::new());
+            HeldPoints { values, by_step, points, chains, pieces, ..h.clone() }
         });
         let rigid = self.rigid.iter().map(|r| RigidPoints {
             points: parents(&r.points),
             prescribed: r.prescribed.map(|p| p.map(|_| 0.0)),
+            by_step: Vec::new(),
             ..r.clone()
         });
         let mut springs: BTreeMap<(usize, [(usize, u64); 2]), Spring> = BTreeMap::new();
@@ -118,7 +131,8 @@ mod tests {
     fn region(lattice: &SquareLattice, [ux, uy, phi]: [Option<f64>; 3]) -> Conditions {
         let points = (0..lattice.points() as u32).collect();
         let prescribed = [ux, uy, None, None, None, phi];
-        let rigid = RigidPoints { points, centre: [0.7, -0.2, 0.0], prescribed, origin: "rigid[0]".into() };
+        let (centre, origin) = ([0.7, -0.2, 0.0], "rigid[0]".into());
+        let rigid = RigidPoints { points, centre, prescribed, by_step: Vec::new(), origin };
         Conditions { rigid: vec![rigid], axes: 2, ..Default::default() }
     }
 
@@ -160,7 +174,8 @@ mod tests {
             // Rotations first.
             let prescribed = [5, 4, 3, 2, 1, 0].map(|k| (k < held).then_some(k));
             let prescribed = std::array::from_fn(|k| prescribed[k].map(|_| value(k)));
-            let rigid = RigidPoints { points, centre, prescribed, origin: String::new() };
+            let (by_step, origin) = (Vec::new(), String::new());
+            let rigid = RigidPoints { points, centre, prescribed, by_step, origin };
             let conditions = Conditions { rigid: vec![rigid.clone()], axes: 3, ..Default::default() };
             let at = |p: usize| lattice.position(p);
             let constraints = Constraints::new(lattice.points(), &conditions.equations(&at)).unwrap();
@@ -226,8 +241,8 @@ mod tests {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
         let (points, direction) = (vec![1, 2, 5], [1.0, 0.0, 0.0]);
         let (edge, chains, origin) = (None, Vec::new(), String::new());
-        let hold =
-            HeldPoints { points, edge, chains, pieces: Vec::new(), direction, values: vec![3.0; 3], origin };
+        let (pieces, values, by_step) = (Vec::new(), vec![3.0; 3], Vec::new());
+        let hold = HeldPoints { points, edge, chains, pieces, direction, values, by_step, origin };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
         let springs = vec![spring(2), spring(3), spring(0)];
         let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };

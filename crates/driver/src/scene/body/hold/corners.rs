@@ -1,7 +1,7 @@
 //! Corners of two edges that supports hold.
 
 use super::held_points::HeldPoints;
-use crate::scene::prescribed::Prescribed;
+use crate::scene::prescribed::Motion;
 use peristat_assembly::bonds::Point;
 use peristat_assembly::model::BodyModel;
 use std::array::from_fn;
@@ -12,7 +12,7 @@ use std::collections::btree_map::Entry;
 #[derive(Debug)]
 struct Holding {
     place: Point,
-    given: Prescribed,
+    given: Motion,
     origin: String,
 }
 
@@ -30,7 +30,7 @@ impl HeldCorners {
     pub(super) fn leave(
         &mut self,
         held: &mut HeldPoints,
-        given: &Prescribed,
+        given: &Motion,
         model: &dyn BodyModel,
     ) -> Vec<String> {
         if !held.is_on_border() {
@@ -65,8 +65,9 @@ fn agree(one: &Holding, other: &Holding, point: Point) -> bool {
         let [a, b] = [one.place[k], other.place[k]];
         if (a - point[k]).abs() > (b - point[k]).abs() { a } else { b }
     });
-    match (one.given.at(corner), other.given.at(corner)) {
-        (Ok(a), Ok(b)) => a == b || (a - b).abs() <= SLACK * a.abs().max(b.abs()),
+    let is_near = |(a, b): (f64, f64)| a == b || (a - b).abs() <= SLACK * a.abs().max(b.abs());
+    match (one.given.values(corner, Some(&other.given)), other.given.values(corner, Some(&one.given))) {
+        (Ok(a), Ok(b)) => a.into_iter().zip(b).all(is_near),
         // Where a formula has no value in the corner itself, it says nothing against the other one.
         _ => true,
     }

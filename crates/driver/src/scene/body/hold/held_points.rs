@@ -21,6 +21,8 @@ pub struct HeldPoints {
     pub direction: [f64; 3],
     /// The unknown along it at a factor of one, of each point: a displacement, or the rotation times [`Conditions::turning`](super::conditions::Conditions::turning).
     pub values: Vec<f64>,
+    /// The same in every step, of each point; none where it grows with the load factor.
+    pub by_step: Vec<Vec<f64>>,
     /// Where it stands in the case.
     pub origin: String,
 }
@@ -32,6 +34,16 @@ impl HeldPoints {
         retain(&mut self.chains, kept);
         retain(&mut self.pieces, kept);
         retain(&mut self.values, kept);
+        retain(&mut self.by_step, kept);
+    }
+
+    /// The same with what it prescribes in a step in place of that at a factor of one.
+    pub(super) fn in_step(&self, step: usize, factor: f64) -> Self {
+        let values = match self.by_step.is_empty() {
+            true => self.values.iter().map(|value| factor * value).collect(),
+            false => self.by_step.iter().map(|own| own[step]).collect(),
+        };
+        Self { values, ..self.clone() }
     }
 
     /// Whether a border is held, not its points.

@@ -13,6 +13,8 @@ pub struct RigidPoints {
     /// Prescribed displacements along x, y and z, and rotations about them; what is not given is free. In the plane there are
     /// the first two and the last.
     pub prescribed: [Option<f64>; MOTIONS],
+    /// The same in every step; none where all grow with the load factor.
+    pub by_step: Vec<[Option<f64>; MOTIONS]>,
     /// Where it stands in the case.
     pub origin: String,
 }
@@ -185,6 +187,12 @@ fn differences(
 }
 
 impl RigidPoints {
+    /// The same with what is prescribed in a step in place of that at a factor of one.
+    pub(super) fn in_step(&self, step: usize, factor: f64) -> Self {
+        let proportional = || self.prescribed.map(|value| value.map(|value| factor * value));
+        Self { prescribed: self.by_step.get(step).copied().unwrap_or_else(proportional), ..self.clone() }
+    }
+
     pub(crate) fn prescribed_equations(&self, basis: &Basis) -> Vec<Equation> {
         let equation = |motion: usize| {
             let value = self.prescribed[motion]?;

@@ -1,12 +1,14 @@
 //! Rigid regions as cases give them.
 
-use super::rigid::RigidPoints;
+use super::rigid::{MOTIONS, RigidPoints, key};
 use super::supports::not_mirrored;
-use crate::case::Rigid;
+use crate::case::{Amount, Rigid, Steps};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::symmetry::Symmetry;
+use crate::scene::prescribed::Motion;
 use peristat_assembly::body::PointBody;
+use std::array::from_fn;
 
 /// Rigid regions of the case, by numbers of the body.
 pub(crate) fn rigid(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -> Vec<RigidPoints> {
@@ -85,18 +87,42 @@ fn resolve(
             at
         },
     );
-    let turn_about_z = if axes > 2 { given.phi_z } else { given.phi };
+    let turn_about_z = if axes > 2 { &given.phi_z } else { &given.phi };
     if axes > 2 && given.phi.is_some() {
         faults
             .error(path.key("phi"), "a rigid region of a solid turns about three axes")
             .hint("give `phi_x`, `phi_y` or `phi_z`");
     }
-    RigidPoints {
-        points,
-        centre,
-        prescribed: [given.ux, given.uy, given.uz, given.phi_x, given.phi_y, turn_about_z],
-        origin: path.to_string(),
-    }
+    let keys = [&given.ux, &given.uy, &given.uz, &given.phi_x, &given.phi_y, turn_about_z];
+    let (prescribed, by_step) = motions(keys, (ground.case.steps.as_ref(), axes), path, faults);
+    RigidPoints { points, centre, prescribed, by_step, origin: path.to_string() }
+}
+
+/// The motions of a rigid region, and what they are in every step, where formulas of the load factor give one of them. Of what a
+/// formula gives the largest value of all steps stands for it: it is zero only if all are.
+fn motions(
+    keys: [&Option<Amount>; MOTIONS],
+    (steps, axes): (Option<&Steps>, usize),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> ([Option<f64>; MOTIONS], Vec<[Option<f64>; MOTIONS]>) {
+    let mut value = |motion: usize| {
+        let (given, key) = (keys[motion].as_ref()?, key(motion, axes).unwrap_or("phi"));
+        let given = Motion::new(given, 0, steps, &path.key(key), faults)?;
+        Some((given.values([0.0; 3], None).unwrap_or_default(), given))
+    };
+    let all: [Option<(Vec<f64>, Motion)>; MOTIONS] = from_fn(&mut value);
+    let largest = |values: &Vec<f64>| values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+    let prescribed = from_fn(|k| all[k].as_ref().and_then(|(values, _)| largest(values)));
+    let varies = all.iter().flatten().any(|(_, motion)| matches!(motion, Motion::BySteps(_)));
+    let factors = steps.filter(|_| varies).map_or(&[][..], |steps| &steps.load_factors);
+    let in_step = |(step, factor): (usize, &f64)| {
+        from_fn(|k| match all[k].as_ref()? {
+            (values, Motion::Proportional(_)) => values.first().map(|value| factor * value),
+            (values, Motion::BySteps(_)) => values.get(step).copied(),
+        })
+    };
+    (prescribed, factors.iter().enumerate().map(in_step).collect())
 }
 
 /// Centroid of points of a body.

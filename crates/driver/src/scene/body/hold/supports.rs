@@ -12,7 +12,7 @@ use crate::scene::body::site::ground::{Ground, NamedPoints};
 use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::place_of_point;
 use crate::scene::body::site::symmetry::Symmetry;
-use crate::scene::prescribed::Prescribed;
+use crate::scene::prescribed::{Motion, Prescribed};
 use peristat_assembly::body::{PointBody, Wall};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
@@ -34,7 +34,7 @@ pub(crate) struct HeldSupport {
     border: Vec<Stretch>,
     /// Directions, or the rotation or the displacement across the plane as the third component, with what is prescribed and
     /// their keys.
-    pub(crate) motions: Vec<([f64; 3], Prescribed, &'static str)>,
+    pub(crate) motions: Vec<([f64; 3], Motion, &'static str)>,
     /// Axes and total stiffnesses of springs.
     pub(crate) springs: Vec<(usize, f64)>,
 }
@@ -172,7 +172,8 @@ fn resolve(
         let angle = inclined.degrees.to_radians();
         // What rounding leaves of a right angle is no share.
         let clean = |share: f64| if share.abs() < 1e-15 { 0.0 } else { share };
-        ([clean(angle.cos()), clean(angle.sin()), 0.0], Prescribed::Number(inclined.displacement), "inclined")
+        let moved = Motion::Proportional(Prescribed::Number(inclined.displacement));
+        ([clean(angle.cos()), clean(angle.sin()), 0.0], moved, "inclined")
     });
     let given = [
         ([1.0, 0.0, 0.0], &support.ux, "ux"),
@@ -184,8 +185,8 @@ fn resolve(
     let mut motions = Vec::new();
     for (direction, value, key) in given {
         if let Some(value) = value {
-            let value = Prescribed::new(value, ground.body.axes(), &path.key(key), faults)?;
-            motions.push((direction, value, key));
+            let (axes, steps) = (ground.body.axes(), ground.case.steps.as_ref());
+            motions.push((direction, Motion::new(value, axes, steps, &path.key(key), faults)?, key));
         }
     }
     motions.extend(inclined);
@@ -232,7 +233,7 @@ impl HeldSupport {
             None => Vec::new(),
         };
         let pieces: Vec<Piece> = pieces.into_iter().flatten().filter(|piece| !piece.is_empty()).collect();
-        let mut hold = |(direction, value, key): &([f64; 3], Prescribed, &'static str)| {
+        let mut hold = |(direction, motion, key): &([f64; 3], Motion, &'static str)| {
             // Rotations are those of the points, wherever the edge is.
             let turns = *key == "phi";
             let follows = !turns && !pieces.is_empty();
@@ -243,14 +244,21 @@ impl HeldSupport {
                 pieces: if follows { pieces.clone() } else { Vec::new() },
                 direction: by_component(*direction, turns, model),
                 values: Vec::new(),
+                by_step: Vec::new(),
                 origin: self.path.key(*key).to_string(),
             };
             let scale = if turns { model.scale(2) } else { 1.0 };
-            let values = held.places(model).into_iter().map(|place| Ok(scale * value.at(place)?));
-            held.values = values.collect::<Result<_, String>>().unwrap_or_else(|reason| {
+            let values = held.places(model).into_iter().map(|place| motion.values(place, None));
+            let values = values.collect::<Result<Vec<Vec<f64>>, String>>().unwrap_or_else(|reason| {
                 faults.error(self.path.key(*key), reason);
-                vec![0.0; held.points.len()]
+                vec![vec![0.0]; held.points.len()]
             });
+            // The last step stands for all where structure is all that counts.
+            held.values = values.iter().map(|own| scale * own.last().copied().unwrap_or(0.0)).collect();
+            if matches!(motion, Motion::BySteps(_)) {
+                let scaled = |own: Vec<f64>| own.into_iter().map(|value| scale * value).collect();
+                held.by_step = values.into_iter().map(scaled).collect();
+            }
             held
         };
         self.motions.iter().map(&mut hold).collect()

@@ -43,7 +43,7 @@ pub(crate) fn resolve(
         }
     };
     let Some(value) = value else { return };
-    if value == [0.0; 3] {
+    if value == [0.0; 3] && context.factor.is_none() {
         faults.error(path.clone(), "this load is zero");
     }
     act(value, is_total, load.region.as_ref(), context, path, to, faults);

@@ -1,6 +1,6 @@
 //! What loads are resolved on.
 
-use crate::case::{Amounts, Vector};
+use crate::case::{Amount, Amounts, Vector};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
 use crate::model::Material;
@@ -14,6 +14,7 @@ use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 
 /// What the resolution of loads looks at.
+#[derive(Clone, Copy)]
 pub(crate) struct LoadContext<'a> {
     pub(crate) ground: &'a Ground<'a>,
     pub(crate) symmetry: &'a Symmetry,
@@ -27,6 +28,8 @@ pub(crate) struct LoadContext<'a> {
     pub(crate) inputs: &'a ModelInputs,
     /// The discretised body, if it can be made.
     pub(crate) model: Option<&'a dyn BodyModel>,
+    /// The load factor of the step whose loads these are, where their formulas know it: they may be zero there.
+    pub(crate) factor: Option<f64>,
 }
 
 impl LoadContext<'_> {
@@ -87,9 +90,19 @@ impl LoadContext<'_> {
         self.force(Vector::from(&numbers[..]), key, path, faults)?;
         let mut along = [const { Prescribed::Number(0.0) }; 3];
         for (k, (own, amount)) in along.iter_mut().zip(&given.0).enumerate() {
-            *own = Prescribed::new(amount, self.ground.body.axes(), &path.index(k), faults)?;
+            *own = self.prescribed(amount, &path.index(k), faults)?;
         }
         Some(along)
+    }
+
+    /// What is given at a place by a number or a formula.
+    pub(crate) fn prescribed(
+        &self,
+        given: &Amount,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<Prescribed> {
+        Prescribed::new(given, (self.ground.body.axes(), self.factor), path, faults)
     }
 
     /// Area of stretches of a border, m².

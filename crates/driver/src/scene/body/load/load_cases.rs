@@ -5,17 +5,19 @@ use super::sums::BodyLoads;
 use super::traction::{add, on_wall, resolve};
 use super::{asked, body_force, mass, point_load, pressure, temperature};
 use crate::case::Load;
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, root};
 use crate::scene::body::site::ground::Ground;
-use crate::scene::states;
+use crate::scene::states::{self, Group};
 
 /// All load cases, by numbers of the body.
 pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<BodyLoads> {
-    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+    let resolve = |group: &Group, faults: &mut Faults| {
+        let context = &LoadContext { factor: group.factor, ..*context };
         let mut resolved = BodyLoads::default();
         let mut on_borders = Vec::new();
-        for (k, load) in loads.iter().enumerate() {
-            let path = path.index(k);
+        refuse_pulled(group, context, faults);
+        for &(k, load) in &group.loads {
+            let path = group.path.index(k);
             match load {
                 Load::Point(load) => {
                     point_load::resolve(load, context, &path.key("point"), &mut resolved, faults)
@@ -55,7 +57,7 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
             }
         }
         if !resolved.is_finite() {
-            faults.error(path.clone(), "a formula of these loads has no value where it acts");
+            faults.error(group.path.clone(), "a formula of these loads has no value where it acts");
         }
         resolved.by_formula |= on_borders.iter().any(|t| t.profile.is_formula());
         on_borders.iter().for_each(|t| resolved.asked.add_multiple(1.0, &asked::of_traction(t, context)));
@@ -63,6 +65,19 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
         resolved
     };
     states::load_cases(context.ground.case, resolve, faults)
+}
+
+/// A fault where forces through joined sides, which grow with the load factor, would act with loads that do not.
+fn refuse_pulled(group: &Group, context: &LoadContext, faults: &mut Faults) {
+    let pulled = context.ground.case.periodic.iter().position(|p| p.force.is_some());
+    if let Some(k) = pulled.filter(|_| group.factor.is_some()) {
+        faults
+            .error(
+                root("periodic").index(k).key("force"),
+                "a force through joined sides grows with the load factor, and loads by `load_factor` do not",
+            )
+            .hint("leave one of them out");
+    }
 }
 
 /// Sums of load cases that are solved, with no load among them that is missing.

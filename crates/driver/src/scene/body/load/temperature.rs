@@ -11,7 +11,6 @@ use crate::case::{Expansion, Temperature};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::{Fibres, Material};
 use crate::scene::expansion;
-use crate::scene::prescribed::Prescribed;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 
@@ -155,7 +154,7 @@ pub(crate) fn resolve(
             .hint("kelvin, positive where the body becomes warmer");
         return;
     };
-    let change = Prescribed::new(change, ground.body.axes(), &path.key("change"), faults);
+    let change = context.prescribed(change, &path.key("change"), faults);
     let points = match &load.region {
         Some(name) => ground.region(name, &path.key("region"), faults),
         None => Some((0..ground.body.points() as u32).collect()),
@@ -186,7 +185,7 @@ pub(crate) fn resolve(
             }
         }
     }
-    if heat.change.iter().all(|change| *change == 0.0) {
+    if context.factor.is_none() && heat.change.iter().all(|change| *change == 0.0) {
         faults.error(path.clone(), "this load is zero");
     }
     if context.material.about().has_families && !ground.case.cracks.is_empty() {

@@ -48,7 +48,7 @@ pub(super) fn values(
 ) -> Option<Vec<f64>> {
     let axes = body.axes();
     let given = match given {
-        Modulus::Amount(amount) => Given::Prescribed(Prescribed::new(amount, axes, path, faults)?),
+        Modulus::Amount(amount) => Given::Prescribed(Prescribed::new(amount, (axes, None), path, faults)?),
         Modulus::Table(table) => {
             Given::Table(files::table(folder, &table.file, axes, max_memory, path, faults)?)
         }

@@ -66,7 +66,7 @@ pub(crate) fn resolve(
         _ => 0.5,
     };
     let is_zero = |q: &f64| profile.at(*q, [0.0; 2], [1.0, 0.0]) == [0.0; 3];
-    if !profile.is_formula() && [0.0, within, 1.0].iter().all(is_zero) {
+    if context.factor.is_none() && !profile.is_formula() && [0.0, within, 1.0].iter().all(is_zero) {
         faults.error(path.clone(), "this traction is zero");
     }
     let varies = match profile {
@@ -115,7 +115,7 @@ fn profile(
 /// A pressure, a number or a formula.
 fn pressure(load: &Traction, context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> Option<Profile> {
     let Some(given) = &load.pressure else { return Some(Profile::Pressure(0.0)) };
-    let given = Prescribed::new(given, context.ground.body.axes(), &path.key("pressure"), faults)?;
+    let given = context.prescribed(given, &path.key("pressure"), faults)?;
     Some(match given {
         Prescribed::Number(pressure) => Profile::Pressure(pressure),
         formula => Profile::PressureFormula(Arc::new(formula)),

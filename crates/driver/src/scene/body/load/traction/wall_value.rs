@@ -94,15 +94,13 @@ pub(super) fn value(
             along(load.along, (wall, lattice), Profile::Parabolic(middle), context, path, faults)?
         }
         Traction { formula: Some(given), .. } => WallValue::Formula(context.along(given, key, &at, faults)?),
-        Traction { pressure: Some(given), .. } => {
-            match Prescribed::new(given, context.ground.body.axes(), &at, faults)? {
-                Prescribed::Number(pressure) => WallValue::Pressure(pressure),
-                formula => WallValue::PressureFormula(formula),
-            }
-        }
+        Traction { pressure: Some(given), .. } => match context.prescribed(given, &at, faults)? {
+            Prescribed::Number(pressure) => WallValue::Pressure(pressure),
+            formula => WallValue::PressureFormula(formula),
+        },
         _ => WallValue::Pressure(0.0),
     };
-    if value.is_zero() {
+    if value.is_zero() && context.factor.is_none() {
         faults.error(path.clone(), "this traction is zero");
     }
     Some(value)

@@ -2,7 +2,7 @@
 
 use super::SpecimenParts;
 use super::plan::{Filled, Plan, disc, union};
-use crate::case::{Bearing, CompactTension, RectangleBody, Rigid};
+use crate::case::{Amount, Bearing, CompactTension, RectangleBody, Rigid};
 use crate::diagnostic::tidy;
 
 /// How far pins reach beyond their rim where they pull, in spacings: points on it belong to them there, and elsewhere to the
@@ -38,8 +38,8 @@ pub(crate) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Speci
     let pin = |region: &str, side: f64| Rigid {
         region: region.into(),
         centre: Some([0.0, side * distance].into()),
-        ux: Some(0.0),
-        uy: Some(0.5 * side * given.opening),
+        ux: Some(Amount::Number(0.0)),
+        uy: Some(Amount::Number(0.5 * side * given.opening)),
         bearing: Some(Bearing { direction: [0.0, side], half_angle: bearing }),
         ..Rigid::default()
     };

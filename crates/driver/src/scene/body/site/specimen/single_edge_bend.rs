@@ -2,7 +2,7 @@
 
 use super::SpecimenParts;
 use super::plan::{Filled, Plan, disc, union};
-use crate::case::{RectangleBody, Rigid, SingleEdgeBend};
+use crate::case::{Amount, RectangleBody, Rigid, SingleEdgeBend};
 use crate::diagnostic::tidy;
 
 /// Least radius of a roller, in spacings: half a disc of it has two points at least.
@@ -36,8 +36,8 @@ pub(crate) fn parts(given: &mut SingleEdgeBend, plan: &mut Plan) -> Option<Speci
     let roller = |region: &str, centre: [f64; 2], ux: Option<f64>, uy: f64| Rigid {
         region: region.into(),
         centre: Some(centre.into()),
-        ux,
-        uy: Some(uy),
+        ux: ux.map(Amount::Number),
+        uy: Some(Amount::Number(uy)),
         ..Rigid::default()
     };
     let around = radius + horizon;
