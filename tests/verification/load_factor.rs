@@ -202,3 +202,16 @@ fn loads_may_be_zero_in_a_step() {
     };
     assert!(most(0) == 0.0 && most(1) > 1e-3, "{} {}", most(0), most(1));
 }
+
+/// Fields around a hole know what acts in every step, though none of it acts on the hole.
+#[test]
+fn stresses_on_holes_follow_steps() {
+    let mut case = plate();
+    case["body"] = json!({ "rectangle": { "from": [-20, -20], "size": [40, 40], "spacing": 1,
+        "holes": [{ "circle": { "name": "hole", "centre": [0, 0], "radius": 4 } }] } });
+    case["supports"] =
+        json!([{ "at": { "region": "left" }, "ux": 0 }, { "at": { "x": -19.5, "y": 0.5 }, "uy": 0 }]);
+    case["loads"] = json!([{ "traction": { "edge": "right", "formula": ["1 + load_factor^2", 0] } }]);
+    case["probes"] = json!([{ "name": "peak", "at": { "x": 0, "y": 4 }, "field": "stress_xx" }]);
+    assert_steps(&case, &[], &["stress_xx"]);
+}

@@ -49,6 +49,10 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
     };
     let loads: f64 = case.loads.iter().map(&mut of_load).sum();
     let cases: f64 = case.load_cases.iter().flat_map(|c| &c.loads).map(&mut of_load).sum();
+    // Loads that know the load factor are those of every step.
+    let by_step = case.loads.iter().filter(|load| load.knows_load_factor()).count();
+    let steps = case.steps.as_ref().map_or(0, |steps| steps.load_factors.len());
+    let stepped = (by_step * steps * ground.body.points()) as f64;
     let probes: f64 = case.probes.iter().map(|p| at(p.at.region.as_deref())).sum();
     let compared = case.checks.iter().filter(|c| matches!(c, Check::Baseline(_) | Check::Formula(_)));
     let values = (compared.count() * ground.body.points()) as f64;
@@ -56,6 +60,7 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
         ("supports", supports, "points that supports hold"),
         ("loads", FORCE * loads, "points that loads act on"),
         ("load_cases", FORCE * cases, "points that loads act on"),
+        ("steps", FORCE * stepped, "points that loads act on in every step"),
         ("probes", SHARE * probes, "points of probes"),
         ("checks", VALUE * values, "values at all points"),
     ];
