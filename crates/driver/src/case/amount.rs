@@ -6,14 +6,6 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
-/// What formulas call the load factor of a step.
-pub(crate) const LOAD_FACTOR: &str = "load_factor";
-
-/// Whether a formula knows the load factor.
-pub(crate) fn knows_load_factor(formula: &str) -> bool {
-    formula.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == LOAD_FACTOR)
-}
-
 /// A number, or a formula of x, y and, in a solid, z, and of `load_factor` where there are steps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -31,11 +23,6 @@ impl Amount {
             Self::Number(value) => Some(*value),
             Self::Formula(_) => None,
         }
-    }
-
-    /// Whether it is a formula of the load factor: then it is not proportional to that.
-    pub(crate) fn knows_load_factor(&self) -> bool {
-        matches!(self, Self::Formula(formula) if knows_load_factor(formula))
     }
 }
 

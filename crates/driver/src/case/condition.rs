@@ -1,8 +1,7 @@
 //! Supports, links and loads of a case.
 
 use super::{
-    Amount, Amounts, BodyForce, Gravity, InitialStrain, LineLoad, Names, Pressure, Spin, Temperature,
-    Traction, knows_load_factor,
+    Amount, BodyForce, Gravity, InitialStrain, LineLoad, Names, Pressure, Spin, Temperature, Traction,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -187,29 +186,6 @@ pub enum Load {
     InitialStrain(InitialStrain),
 }
 
-impl Load {
-    /// Whether a formula of it knows the load factor: then it is not proportional to that.
-    pub(crate) fn knows_load_factor(&self) -> bool {
-        let any = |amounts: &[&Option<Amount>]| {
-            amounts.iter().any(|amount| amount.as_ref().is_some_and(Amount::knows_load_factor))
-        };
-        let all = |amounts: &Option<Amounts>| {
-            amounts.as_ref().is_some_and(|amounts| amounts.0.iter().any(Amount::knows_load_factor))
-        };
-        match self {
-            Self::Traction(load) => any(&[&load.pressure]) || all(&load.formula),
-            Self::BodyForce(load) => all(&load.density),
-            Self::Temperature(load) => any(&[&load.change]),
-            Self::Line(load) => any(&[&load.force, &load.moment_n, &load.moment_t]),
-            Self::Pressure(load) => load.formula.as_deref().is_some_and(knows_load_factor),
-            Self::Distributed(load) => load.forces().any(
-                |(_, force)| matches!(force, Some(DistributedForce::Formula(text)) if knows_load_factor(text)),
-            ),
-            Self::Point(_) | Self::Gravity(_) | Self::Spin(_) | Self::InitialStrain(_) => false,
-        }
-    }
-}
-
 /// A concentrated force and moment.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -281,20 +257,6 @@ pub struct Distributed {
     /// Moment per length along phi (b̃ of Eq. (12a) times the area).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment: Option<DistributedForce>,
-}
-
-impl Distributed {
-    /// Its values by keys.
-    pub(crate) fn forces(&self) -> impl Iterator<Item = (&'static str, &Option<DistributedForce>)> {
-        [
-            ("force", &self.force),
-            ("axial", &self.axial),
-            ("force_x", &self.force_x),
-            ("force_y", &self.force_y),
-            ("moment", &self.moment),
-        ]
-        .into_iter()
-    }
 }
 
 /// How a distributed load varies.

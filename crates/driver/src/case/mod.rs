@@ -15,6 +15,7 @@ mod frame;
 mod grading;
 mod initial_strain;
 mod line_load;
+mod load_factor;
 mod mass_load;
 mod modulus;
 mod names;
@@ -37,8 +38,8 @@ mod vertex;
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
 pub use about_field::{Field, Origin, PlateOrigin, Unit};
+pub(crate) use amount::number;
 pub use amount::{Amount, Amounts};
-pub(crate) use amount::{LOAD_FACTOR, knows_load_factor, number};
 pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
@@ -54,6 +55,7 @@ pub use frame::{AxialForce, Frame, Joint, Member, MemberEnd, Offsets};
 pub use grading::Grading;
 pub use initial_strain::InitialStrain;
 pub use line_load::LineLoad;
+pub(crate) use load_factor::LOAD_FACTOR;
 pub use mass_load::{Gravity, Spin};
 pub use modulus::{Modulus, Table};
 pub use names::Names;
