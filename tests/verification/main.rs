@@ -67,6 +67,8 @@ mod plane_patch;
 mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
+mod plate_reactions;
+mod plate_regions;
 mod plates;
 mod plausibility;
 mod polygons;

@@ -13,7 +13,7 @@ use serde_json::json;
 /// The file of the schema, for editors.
 const SCHEMA: &str = "case.schema.json";
 
-const LOADS: [(&str, &str); 23] = [
+const LOADS: [(&str, &str); 24] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -41,7 +41,10 @@ const LOADS: [(&str, &str); 23] = [
         "a force per area on an edge or hole in the plane, or on a face or in a cut of a solid: uniform, linear, parabolic, pressure, total, or hertz, the pressure of a contact; depth is how far inwards it fades",
     ),
     ("body_force", "a force per volume on a region, or its total"),
-    ("gravity", "the weight of a material of some density, of beams, too; g in the units of the case"),
+    (
+        "gravity",
+        "the weight of a material of some density, of beams and of plates in bending, too; g in the units of the case",
+    ),
     (
         "spin",
         "the inertia of a body of some density that turns: omega or rpm, about a point, of a solid along an axis",
@@ -54,6 +57,10 @@ const LOADS: [(&str, &str); 23] = [
     (
         "w, phi_n, phi_t, phi_x, phi_y",
         "prescribed deflections and slopes of a plate in bending, zero or not: clamped, simply supported hard and soft, guided",
+    ),
+    (
+        "phi_n_spring",
+        "what a wall or a beam resists along an edge of a plate in bending that turns, per length",
     ),
     (
         "temperature",

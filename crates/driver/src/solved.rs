@@ -108,7 +108,7 @@ impl Solved {
             Scene::Body(scene) => Some(scene.real_points().map(|p| scene.model.volume(p)).collect()),
             Scene::Plate(scene) => {
                 let nodes = scene.plate.nodes();
-                Some((0..nodes.points()).map(|p| scene.thickness * nodes.area(p)).collect())
+                Some((0..nodes.points()).map(|p| scene.volume(p)).collect())
             }
         }
     }

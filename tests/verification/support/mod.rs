@@ -1,5 +1,6 @@
 //! What the tests share: building a case, running it, measuring an error.
 
+pub(crate) mod bending;
 pub(crate) mod breaking;
 pub(crate) mod chain;
 pub(crate) mod goodier;

@@ -95,6 +95,8 @@ pub enum PlateOrigin {
     Shear(usize),
     /// A moment of design: along x and y on the side of −w, then on that of +w.
     Design(usize),
+    /// What holds a line of points.
+    HeldLine,
 }
 
 /// What a field follows from.

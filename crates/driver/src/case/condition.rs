@@ -87,7 +87,8 @@ pub struct Support {
     /// Prescribed displacement in one direction that is neither x nor y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inclined: Option<Inclined>,
-    /// Stiffness of a spring against deflection of a line, or of a plate in bending, force per length, > 0; all points of a region share it.
+    /// Stiffness of a spring against deflection of a line, or of a plate in bending, force per length, > 0; all points of a region share it,
+    /// those of an edge or a line of a plate by their lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w_spring: Option<f64>,
     /// Stiffness of a spring against displacement along x, force per length, > 0; all points of a region share it.
@@ -102,6 +103,10 @@ pub struct Support {
     /// Stiffness of a spring against rotation, moment per radian, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi_spring: Option<f64>,
+    /// Stiffness of a spring against the rotation across an edge of a plate in bending, moment per length of the edge and radian, > 0:
+    /// what a wall or a beam there resists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_n_spring: Option<f64>,
     /// The only sign that the reaction can have, on beams and frames: a bearing beneath a beam pushes `positive`, and the beam lifts
     /// off it; a stop that it moves towards pushes `negative`. The support then holds one motion.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -222,6 +222,17 @@ pub enum FieldName {
     /// Moment of what holds a rigid region of a solid, about z through its centre.
     #[serde(rename = "reaction_moment_z")]
     ReactionMomentZ,
+    /// Force of a support on a plate in bending per length of a straight edge or of a line inside, along w: Kirchhoff's effective one,
+    /// which has the twisting moment of a hard support in it. With `of`, or at a place on the line.
+    #[serde(rename = "reaction_per_length")]
+    ReactionPerLength,
+    /// Moment of a support on a plate in bending per length, which bends it across an edge: M_nn there.
+    #[serde(rename = "reaction_moment_per_length")]
+    ReactionMomentPerLength,
+    /// Force of supports on a plate in bending at a corner or another end of a line that is held, along w, beside what is along
+    /// the line; the sum of those in a region.
+    #[serde(rename = "corner_force")]
+    CornerForce,
 }
 
 impl FieldName {
@@ -312,6 +323,11 @@ impl FieldName {
             Self::ReactionMomentX => ("reaction_moment_x", Moment, Reaction("phi_x")),
             Self::ReactionMomentY => ("reaction_moment_y", Moment, Reaction("phi_y")),
             Self::ReactionMomentZ => ("reaction_moment_z", Moment, Reaction("phi_z")),
+            Self::ReactionPerLength => ("reaction_per_length", ForcePerLength, Plate(PlateOrigin::HeldLine)),
+            Self::ReactionMomentPerLength => {
+                ("reaction_moment_per_length", Force, Plate(PlateOrigin::HeldLine))
+            }
+            Self::CornerForce => ("corner_force", Force, Plate(PlateOrigin::HeldLine)),
         };
         Field { name, unit, origin }
     }
@@ -328,8 +344,9 @@ impl FieldName {
 
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        use Origin::{Material, Opening, Reaction, Turn, Unknown};
-        !matches!(self.about().origin, Reaction(_) | Unknown | Opening | Turn(_) | Material)
+        use Origin::{Material, Opening, Plate, Reaction, Turn, Unknown};
+        let origin = self.about().origin;
+        !matches!(origin, Reaction(_) | Unknown | Opening | Turn(_) | Material | Plate(PlateOrigin::HeldLine))
     }
 }
 

@@ -135,7 +135,8 @@ pub struct Case {
     /// Regions of a body in the plane by name. Edges, named holes and groups of a mesh are regions of their own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub regions: BTreeMap<String, Region>,
-    /// Materials of regions, or of members of a frame, by name; everything else is of the material of `model`.
+    /// Materials of regions, or of members of a frame, by name, and thicknesses of regions of a plate in bending; everything else is of
+    /// the material of `model`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub materials: BTreeMap<String, RegionMaterial>,
     /// What holds the body.

@@ -23,6 +23,9 @@ pub struct RegionMaterial {
     /// from E and the `poisson_ratio` of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<Modulus>,
+    /// Thickness of a region of a plate in bending, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thickness: Option<f64>,
     /// At which strains its bonds break, in bodies with `fracture`; default: as those of `model`, at the energy release rate or the
     /// stretch of `fracture.critical`.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -115,6 +115,9 @@ impl Results {
             (Scene::Plate(scene), StateResult::Plate(result)) => {
                 plate::write(&self.folder, &name, scene, result, (kept, self.envelope.as_mut()))?;
                 self.files.extend(scene.lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)));
+                if !scene.held_lines.is_empty() {
+                    self.files.push(format!("fields/{name}{}", plate::TABLE));
+                }
                 let draw = || plate::draw(plots.as_deref(), scene, result);
                 (crate::run::plate::probes(scene, result), is_drawn.then(draw).transpose()?)
             }

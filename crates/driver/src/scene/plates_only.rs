@@ -12,6 +12,12 @@ pub(super) fn refuse(case: &Case, faults: &mut Faults) {
         for (key, _) in keys.iter().filter(|key| key.1.is_some()) {
             tell(key, &root("supports").index(k), faults);
         }
+        if support.phi_n_spring.is_some() {
+            tell("phi_n_spring", &root("supports").index(k), faults);
+        }
+    }
+    for (name, _) in case.materials.iter().filter(|(_, material)| material.thickness.is_some()) {
+        tell("thickness", &root("materials").key(name), faults);
     }
     of_loads(&case.loads, &root("loads"), faults);
     for (k, load_case) in case.load_cases.iter().enumerate() {

@@ -1,10 +1,11 @@
 //! What the record of a run says of plates in bending.
 
-use super::{Extremes, Forces, Located, PlateForces, StateSummary};
+use super::{Extremes, Forces, Located, StateSummary, plate_forces};
 use crate::case::Model;
 use crate::run::plate::{PlateResult, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::PlateScene;
+use crate::scene::plate::PlateMaterial;
 use peristat_assembly::model::plate_bending::ShearLaw;
 use serde::Serialize;
 
@@ -19,6 +20,9 @@ pub struct PlateSummary {
     pub poisson_ratio: f64,
     /// Thickness.
     pub thickness: f64,
+    /// Regions that are thicker or thinner, or of another material.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub materials: Vec<PlateRegion>,
     /// Bending stiffness D per width.
     pub bending_stiffness: f64,
     /// Shear stiffness κGt per width.
@@ -31,6 +35,23 @@ pub struct PlateSummary {
     pub spacing: f64,
     /// Pieces of bonds that leave the body.
     pub pieces: usize,
+}
+
+/// A region of a plate with a section of its own.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlateRegion {
+    /// Name of its material.
+    pub name: String,
+    /// Young's modulus.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// Thickness.
+    pub thickness: f64,
+    /// Bending stiffness D per width.
+    pub bending_stiffness: f64,
+    /// Area of its cells.
+    pub area: f64,
 }
 
 /// What the summary needs of a state.
@@ -51,7 +72,7 @@ pub(super) fn state(
         name: result.record.name.clone(),
         load_factor: result.record.load_factor,
         extremes: extremes.collect(),
-        forces: Forces::Plate(PlateForces { reactions: result.reactions.clone() }),
+        forces: Forces::Plate(plate_forces::of(scene, result)),
         certificate: result.record.certificate.clone(),
     };
     let probes = probes(scene, result);
@@ -66,11 +87,21 @@ pub(super) fn model(scene: &PlateScene) -> PlateSummary {
         Model::PlateBending(keys) => keys.youngs_modulus,
         _ => unreachable!("the model of a plate in bending is its own"),
     };
+    let area = scene.plate.nodes().spacing().powi(2);
+    let region = |material: &PlateMaterial| PlateRegion {
+        name: material.name.clone(),
+        youngs_modulus: material.keys.youngs_modulus,
+        poisson_ratio: material.keys.poisson_ratio,
+        thickness: material.keys.thickness,
+        bending_stiffness: material.section.bending,
+        area: area * material.cells as f64,
+    };
     PlateSummary {
+        materials: scene.materials.iter().map(region).collect(),
         name: scene.case.model.name(),
         youngs_modulus,
         poisson_ratio: parameters.section.poisson_ratio,
-        thickness: scene.thickness,
+        thickness: scene.thickness.base,
         bending_stiffness: parameters.section.bending,
         shear_stiffness: parameters.section.shear,
         shear_law: parameters.shear_law,

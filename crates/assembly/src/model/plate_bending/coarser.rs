@@ -21,7 +21,10 @@ impl PlateBending {
     /// # Errors
     /// [`PlateError`].
     pub fn coarser(&self) -> Result<Self, PlateError> {
-        Self::new(Arc::new(self.nodes().cells().coarser()), *self.parameters())
+        let cells = Arc::new(self.nodes().cells().coarser());
+        let (coarse, first) = (PlateNodes::new(cells.clone())?, &self.parameters().section);
+        let sections = self.sections().coarser(self.nodes(), &coarse, first);
+        Self::of_sections(cells, *self.parameters(), sections)
     }
 }
 

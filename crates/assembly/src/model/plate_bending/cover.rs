@@ -7,7 +7,7 @@
 //!
 //! The lengths of all pieces add up to the area of the body.
 
-use super::nodes::PlateNodes;
+use super::nodes::{Inside, PlateNodes, part_along};
 use crate::body::Cell;
 
 /// Coordinates nearer to a line of the lattice are on it, spacings.
@@ -32,22 +32,22 @@ pub(super) struct Piece {
     pub(super) weight: f64,
 }
 
-/// Part in the body of the bond at an offset from a point, as a whole.
-pub(super) fn whole(nodes: &PlateNodes, node: [i32; 2], [p, q, _]: Cell) -> f64 {
+/// Part in cells that are `inside` of the bond at an offset from a point, as a whole.
+pub(super) fn whole(inside: Inside, node: [i32; 2], [p, q, _]: Cell) -> f64 {
     match (p, q) {
         (0, _) | (_, 0) => {
-            let parts = unit_parts(nodes, node, [p, q]);
+            let parts = unit_parts(inside, node, [p, q]);
             parts.into_iter().fold(1.0, f64::min)
         }
         _ => {
-            let inside = crossed([p, q]).1.into_iter().all(|cell| nodes.has_cell(sum(node, cell)));
-            f64::from(u8::from(inside))
+            let is_in = crossed([p, q]).1.into_iter().all(|cell| inside(sum(node, cell)));
+            f64::from(u8::from(is_in))
         }
     }
 }
 
-/// All pieces of the bonds at some offsets that are no whole bonds.
-pub(super) fn pieces(nodes: &PlateNodes, steps: &[Cell]) -> Vec<Piece> {
+/// All pieces of the bonds at some offsets that are no whole bonds, in cells that are `inside`.
+pub(super) fn pieces(nodes: &PlateNodes, inside: Inside, steps: &[Cell]) -> Vec<Piece> {
     let lattice = nodes.lattice();
     let (columns, rows) = (lattice.columns(), lattice.rows());
     let mut pieces = Vec::new();
@@ -56,8 +56,8 @@ pub(super) fn pieces(nodes: &PlateNodes, steps: &[Cell]) -> Vec<Piece> {
         for row in rows.start - q..rows.end {
             for column in columns.start - right..columns.end - left {
                 match p * q {
-                    0 => along(nodes, offset, [column, row], [p, q], &mut pieces),
-                    _ => oblique(nodes, offset, [column, row], [p, q], &mut pieces),
+                    0 => along((nodes, inside), offset, [column, row], [p, q], &mut pieces),
+                    _ => oblique((nodes, inside), offset, [column, row], [p, q], &mut pieces),
                 }
             }
         }
@@ -70,15 +70,21 @@ fn sum(a: [i32; 2], b: [i32; 2]) -> [i32; 2] {
 }
 
 /// Parts in the body of the unit segments of a bond along a line of the lattice.
-fn unit_parts(nodes: &PlateNodes, node: [i32; 2], [p, q]: [i32; 2]) -> Vec<f64> {
+fn unit_parts(inside: Inside, node: [i32; 2], [p, q]: [i32; 2]) -> Vec<f64> {
     let axis = usize::from(p == 0);
     let unit = [p.signum(), q.signum()];
-    (0..p + q).map(|k| nodes.part_along(sum(node, unit.map(|c| c * k)), axis)).collect()
+    (0..p + q).map(|k| part_along(inside, sum(node, unit.map(|c| c * k)), axis)).collect()
 }
 
 /// What the segments of a bond along a line have beyond what all of them have.
-fn along(nodes: &PlateNodes, offset: usize, node: [i32; 2], [p, q]: [i32; 2], pieces: &mut Vec<Piece>) {
-    let parts = unit_parts(nodes, node, [p, q]);
+fn along(
+    (nodes, inside): (&PlateNodes, Inside),
+    offset: usize,
+    node: [i32; 2],
+    [p, q]: [i32; 2],
+    pieces: &mut Vec<Piece>,
+) {
+    let parts = unit_parts(inside, node, [p, q]);
     let least = parts.iter().copied().fold(1.0, f64::min);
     let unit = [p.signum(), q.signum()];
     for (k, part) in (0..).zip(&parts).filter(|(_, part)| **part > least) {
@@ -92,13 +98,19 @@ fn along(nodes: &PlateNodes, offset: usize, node: [i32; 2], [p, q]: [i32; 2], pi
 }
 
 /// The runs of the segments of an oblique bond that lie in the body, but for that of all of them.
-fn oblique(nodes: &PlateNodes, offset: usize, node: [i32; 2], step: [i32; 2], pieces: &mut Vec<Piece>) {
+fn oblique(
+    (nodes, inside): (&PlateNodes, Inside),
+    offset: usize,
+    node: [i32; 2],
+    step: [i32; 2],
+    pieces: &mut Vec<Piece>,
+) {
     let (cuts, cells) = crossed(step);
-    let inside: Vec<bool> = cells.iter().map(|&cell| nodes.has_cell(sum(node, cell))).collect();
+    let is_in: Vec<bool> = cells.iter().map(|&cell| inside(sum(node, cell))).collect();
     let mut first = 0;
-    while first < inside.len() {
-        let count = inside[first..].iter().take_while(|inside| **inside).count();
-        if count > 0 && count < inside.len() {
+    while first < is_in.len() {
+        let count = is_in[first..].iter().take_while(|is_in| **is_in).count();
+        if count > 0 && count < is_in.len() {
             let range = [cuts[first], cuts[first + count]];
             let ends = range.map(|t| end(nodes, node, step.map(|c| t * f64::from(c))));
             if let [Some(a), Some(b)] = ends {

@@ -3,7 +3,7 @@
 //! Each cell has four, of one of its corners and the two next ones, a quarter of its area each. They act on rotations alone, so
 //! that they cannot lock. All cells are alike: one matrix is kept, of the rotations of three corners relative to the first.
 
-use super::nodes::PlateNodes;
+use super::nodes::{Inside, PlateNodes};
 use super::{PHI_X, PHI_Y, PlateSection};
 use crate::bonds::{Mat, add};
 use crate::stiffness::{BlockMatrix, Survey, Term};
@@ -26,15 +26,15 @@ pub(super) struct Triangles {
     modulus: Mat<MEASURES, MEASURES>,
 }
 
-/// The triangles of all cells; none where bonds have all of the stiffness.
-pub(super) fn triangles(nodes: &PlateNodes, section: &PlateSection) -> Option<Triangles> {
+/// The triangles of all cells that are `inside`; none where bonds have all of the stiffness.
+pub(super) fn triangles((nodes, inside): (&PlateNodes, Inside), section: &PlateSection) -> Option<Triangles> {
     let rest = section.rest();
     if rest.iter().all(|c| *c <= f64::EPSILON * section.bending) {
         return None;
     }
     let first = nodes.cells().rows().start;
     let mut rows = vec![Vec::new(); nodes.cells().rows().len()];
-    for cell in nodes.all_cells() {
+    for cell in nodes.all_cells().filter(|&cell| inside(cell)) {
         if let Some([lower, _, upper, _]) = nodes.corners(cell) {
             rows[(cell[1] - first) as usize].push([lower as u32, upper as u32]);
         }

@@ -20,6 +20,8 @@
 //! the law of their own length, and half of a bond along an edge is in the body: the lengths of all bonds add up to the area, so
 //! that every uniform curvature is exact, at edges and corners as well, and a clamped or free edge needs no points beyond it.
 //!
+//! Cells may differ in their sections: see `part`.
+//!
 //! Signs: w and pressure are positive alike, along z; `φ = ∇w` where shear is rigid; `M = D [(1 − ν) κ + ν tr(κ) I]` with
 //! `κ = sym ∇φ`; `V = S (∇w − φ)`; `div M + V = 0`, `div V + q = 0`.
 
@@ -32,7 +34,9 @@ mod load;
 mod model;
 mod nodes;
 mod parameters;
+mod part;
 mod recover;
+mod sections;
 #[cfg(test)]
 mod tests;
 mod weights;
@@ -44,6 +48,7 @@ pub use model::PlateBending;
 pub use nodes::{EdgeSegment, PlateNodes};
 pub use parameters::{PlateParameters, PlateSection, ShearLaw};
 pub use recover::PlateFields;
+pub use sections::CellSections;
 
 /// Component of the deflection along z.
 pub const W: usize = 0;

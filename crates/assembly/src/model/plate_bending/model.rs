@@ -1,36 +1,22 @@
 //! A plate in bending as a model with three unknowns per point.
 
-use super::bond::{PieceBond, PlateBond, moduli};
-use super::cover;
-use super::curvature::{Triangles, triangles};
 use super::nodes::PlateNodes;
-use super::weights::{Weighted, weights};
-use super::{PlateError, PlateParameters};
+use super::part::Part;
+use super::sections::CellSections;
+use super::{PlateError, PlateParameters, PlateSection};
 use crate::body::SquareLattice;
 use crate::bonds::Point;
 use crate::condition::Equation;
 use crate::model::{Component, Model, Points, RigidMotion};
-use crate::stiffness::{Families, GridBonds, Offset, Term};
+use crate::stiffness::Term;
 use std::sync::Arc;
 
 /// A plate in bending.
 #[derive(Clone, Debug)]
 pub struct PlateBending {
-    parameters: PlateParameters,
     nodes: PlateNodes,
-    offsets: Vec<Weighted>,
-    bonds: Arc<GridBonds<3, 2, PlateBond>>,
-    /// Pieces of bonds by their number of points: two, three and four.
-    pieces: Pieces,
-    triangles: Option<Arc<Triangles>>,
-}
-
-/// Pieces of bonds by their number of points.
-#[derive(Clone, Debug)]
-pub(super) struct Pieces {
-    pub(super) of_two: Arc<Families<3, 2, 1>>,
-    pub(super) of_three: Arc<Families<3, 2, 2>>,
-    pub(super) of_four: Arc<Families<3, 2, 3>>,
+    sections: Arc<CellSections>,
+    parts: Vec<Part>,
 }
 
 const COMPONENTS: [Component; 3] =
@@ -48,27 +34,31 @@ impl PlateBending {
     /// # Errors
     /// [`PlateError`].
     pub fn new(cells: Arc<SquareLattice>, parameters: PlateParameters) -> Result<Self, PlateError> {
-        let nodes = PlateNodes::new(cells)?;
-        let h = nodes.spacing();
-        let offsets = weights(&parameters, h)?;
-        let lattice = nodes.lattice();
-        let of_offset = |offset: &Weighted| {
-            let [x, y, _] = lattice.vector(offset.step);
-            Offset { step: offset.step, weights: moduli(&parameters, offset, x.hypot(y)) }
-        };
-        let whole: Vec<Offset<2>> = offsets.iter().map(of_offset).collect();
-        let part = |offset: usize, [lower, _]: [usize; 2]| {
-            cover::whole(&nodes, nodes.node(lower), offsets[offset].step)
-        };
-        let bonds = GridBonds::with_factors(lattice.clone(), &PlateBond { area: h * h }, &whole, part);
-        let pieces = Pieces::new(&nodes, &parameters, &offsets);
-        let triangles = triangles(&nodes, &parameters.section).map(Arc::new);
-        Ok(Self { parameters, bonds: Arc::new(bonds), pieces, triangles, offsets, nodes })
+        Self::of_sections(cells, parameters, CellSections::default())
     }
 
-    /// Its parameters.
+    /// The same where some of the cells have other sections.
+    ///
+    /// # Errors
+    /// [`PlateError`].
+    pub fn of_sections(
+        cells: Arc<SquareLattice>,
+        parameters: PlateParameters,
+        sections: CellSections,
+    ) -> Result<Self, PlateError> {
+        let nodes = PlateNodes::new(cells)?;
+        let all = [parameters.section].into_iter().chain(sections.others.iter().copied()).enumerate();
+        let part = |(number, section): (usize, PlateSection)| {
+            let inside = |cell: [i32; 2]| sections.has(&nodes, number, cell);
+            Part::new(&nodes, PlateParameters { section, ..parameters }, &inside)
+        };
+        let parts = all.map(part).collect::<Result<_, _>>()?;
+        Ok(Self { nodes, sections: Arc::new(sections), parts })
+    }
+
+    /// Its parameters, with the section of cells that have no other.
     pub fn parameters(&self) -> &PlateParameters {
-        &self.parameters
+        &self.parts[0].parameters
     }
 
     /// Its points and cells.
@@ -76,47 +66,23 @@ impl PlateBending {
         &self.nodes
     }
 
-    /// Number of bonds that are whole, or half along an edge.
+    /// The sections of its cells.
+    pub fn sections(&self) -> &CellSections {
+        &self.sections
+    }
+
+    /// Number of bonds that are whole, or half along an edge or a step.
     pub fn bonds(&self) -> usize {
-        self.bonds.elements()
+        self.parts.iter().map(|part| part.bonds.elements()).sum()
     }
 
-    /// Number of pieces of bonds that leave the body.
+    /// Number of pieces of bonds that leave the body or cross a step.
     pub fn pieces(&self) -> usize {
-        self.pieces.count()
+        self.parts.iter().map(Part::pieces).sum()
     }
 
-    pub(super) fn offsets(&self) -> &[Weighted] {
-        &self.offsets
-    }
-
-    pub(super) fn whole_bonds(&self) -> &GridBonds<3, 2, PlateBond> {
-        &self.bonds
-    }
-}
-
-impl Pieces {
-    fn new(nodes: &PlateNodes, parameters: &PlateParameters, offsets: &[Weighted]) -> Self {
-        let steps: Vec<_> = offsets.iter().map(|offset| offset.step).collect();
-        let (mut of_two, mut of_three, mut of_four) = (Vec::new(), Vec::new(), Vec::new());
-        for piece in cover::pieces(nodes, &steps) {
-            let bond = PieceBond::new(nodes, parameters, &offsets[piece.offset], &piece);
-            match bond.others() {
-                1 => of_two.push(bond.family()),
-                2 => of_three.push(bond.family()),
-                _ => of_four.push(bond.family()),
-            }
-        }
-        let points = nodes.points();
-        Self {
-            of_two: Arc::new(Families::new(points, of_two)),
-            of_three: Arc::new(Families::new(points, of_three)),
-            of_four: Arc::new(Families::new(points, of_four)),
-        }
-    }
-
-    fn count(&self) -> usize {
-        self.of_two.list().len() + self.of_three.list().len() + self.of_four.list().len()
+    pub(super) fn parts(&self) -> &[Part] {
+        &self.parts
     }
 }
 
@@ -141,19 +107,17 @@ impl Model<3> for PlateBending {
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {
-        let Pieces { of_two, of_three, of_four } = &self.pieces;
-        let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];
-        if !of_two.list().is_empty() {
-            terms.push(Box::new(of_two.clone()));
-        }
-        if !of_three.list().is_empty() {
-            terms.push(Box::new(of_three.clone()));
-        }
-        if !of_four.list().is_empty() {
-            terms.push(Box::new(of_four.clone()));
-        }
-        terms.extend(self.triangles.iter().map(|t| Box::new(t.clone()) as Box<dyn Term<3>>));
-        terms
+        self.parts.iter().flat_map(Part::terms).collect()
+    }
+
+    fn contrast(&self) -> f64 {
+        self.contrast_of_points()
+    }
+
+    fn contrast_of_points(&self) -> f64 {
+        let bending = || self.parts.iter().map(|part| part.parameters.section.bending);
+        let largest = bending().fold(0.0, f64::max);
+        (largest / bending().fold(largest, f64::min)).sqrt()
     }
 
     fn relations(&self) -> Vec<Equation> {

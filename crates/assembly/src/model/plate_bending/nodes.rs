@@ -139,14 +139,22 @@ impl PlateNodes {
 
     /// Whether the side of a cell from a point to the next one along an axis belongs to the body.
     pub fn is_joined(&self, [i, j]: [i32; 2], axis: usize) -> bool {
-        self.part_along([i, j], axis) > 0.0
+        part_along(&|cell| self.has_cell(cell), [i, j], axis) > 0.0
     }
 
-    /// Part of a line along the side of a cell that lies in the body, from a point to the next one along an axis: half of it on
-    /// either side.
-    pub(super) fn part_along(&self, [i, j]: [i32; 2], axis: usize) -> f64 {
-        let beside = if axis == 0 { [i, j - 1] } else { [i - 1, j] };
-        let sides = [[i, j], beside].into_iter().filter(|&cell| self.has_cell(cell));
-        0.5 * sides.count() as f64
+    /// The four cells about a point, whether they belong to the body or not.
+    pub(super) fn cells_about(&self, [i, j]: [i32; 2]) -> impl Iterator<Item = [i32; 2]> + use<> {
+        [[i - 1, j - 1], [i, j - 1], [i - 1, j], [i, j]].into_iter()
     }
+}
+
+/// Which cells count.
+pub(super) type Inside<'a> = &'a dyn Fn([i32; 2]) -> bool;
+
+/// Part of a line along the side of a cell that lies in cells that are `inside`, from a point to the next one along an axis: half of it
+/// on either side.
+pub(super) fn part_along(inside: Inside, [i, j]: [i32; 2], axis: usize) -> f64 {
+    let beside = if axis == 0 { [i, j - 1] } else { [i - 1, j] };
+    let sides = [[i, j], beside].into_iter().filter(|&cell| inside(cell));
+    0.5 * sides.count() as f64
 }

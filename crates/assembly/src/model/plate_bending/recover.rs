@@ -3,7 +3,13 @@
 //! Moments come from differences of the rotations, one-sided ones of second order at edges. `S (∇w − φ)` would be the small
 //! difference of large numbers in a thin plate, and hundreds of times too large; shear forces come from the bonds, each of which
 //! knows `V·n = s γ_b/(2ω)`. At an edge half of the bonds are missing: there shear forces are continued from inside.
+//!
+//! Beside a step of the thickness differences are one-sided, as the curvature is not continuous there, and a point on the step has the
+//! mean of its cells: of moments that bend across the step, which are the same on both sides, and of those along it, which are not.
 
+use super::nodes::part_along;
+use super::part::Part;
+use super::weights::Weighted;
 use super::{PHI_X, PHI_Y, PlateBending};
 
 /// Fields of a state per point.
@@ -21,27 +27,39 @@ impl PlateBending {
     /// The fields of unknowns.
     pub fn fields(&self, u: &[f64]) -> PlateFields {
         let n = self.nodes().points();
-        let rotation = |c: usize| &u[c * n..(c + 1) * n];
-        let curvature = |point: usize| {
-            let slope = |c: usize, axis: usize| self.slope(rotation(c), point, axis);
-            let twist = 0.5 * (slope(PHI_X, 1) + slope(PHI_Y, 0));
-            [slope(PHI_X, 0), slope(PHI_Y, 1), twist]
-        };
-        let curvature: Vec<[f64; 3]> = (0..n).map(curvature).collect();
-        let moment = curvature.iter().map(|&k| self.parameters().section.moments(k)).collect();
+        let (mut curvature, mut moment) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
+        for point in 0..n {
+            let area: f64 = self.sections().about(self.nodes(), point).map(|part| part.1).sum();
+            for (number, part) in self.sections().about(self.nodes(), point) {
+                let own = self.curvature(u, point, number);
+                let own_moment = self.parts()[number].parameters.section.moments(own);
+                for k in 0..3 {
+                    curvature[point][k] += part / area * own[k];
+                    moment[point][k] += part / area * own_moment[k];
+                }
+            }
+        }
         PlateFields { curvature, moment, shear: self.shear_forces(u) }
     }
 
-    /// Numbers of the points up to `count` steps along an axis, as far as the body goes.
-    fn ahead(&self, point: usize, axis: usize, sign: i32, count: usize) -> Vec<usize> {
+    /// Curvature at a point of the part with a section.
+    fn curvature(&self, u: &[f64], point: usize, number: usize) -> [f64; 3] {
+        let n = self.nodes().points();
+        let slope = |c: usize, axis: usize| self.slope(&u[c * n..(c + 1) * n], point, axis, number);
+        [slope(PHI_X, 0), slope(PHI_Y, 1), 0.5 * (slope(PHI_X, 1) + slope(PHI_Y, 0))]
+    }
+
+    /// Numbers of the points up to `count` steps along an axis, as far as the part with a section goes.
+    fn ahead(&self, point: usize, axis: usize, (sign, number): (i32, usize), count: usize) -> Vec<usize> {
         let nodes = self.nodes();
+        let inside = |cell: [i32; 2]| self.sections().has(nodes, number, cell);
         let mut node = nodes.node(point);
         let mut found = Vec::with_capacity(count);
         while found.len() < count {
             let mut next = node;
             next[axis] += sign;
             let lower = if sign > 0 { node } else { next };
-            match nodes.number(next).filter(|_| nodes.is_joined(lower, axis)) {
+            match nodes.number(next).filter(|_| part_along(&inside, lower, axis) > 0.0) {
                 Some(number) => found.push(number),
                 None => break,
             }
@@ -50,12 +68,12 @@ impl PlateBending {
         found
     }
 
-    /// Derivative of values along an axis at a point.
-    fn slope(&self, values: &[f64], point: usize, axis: usize) -> f64 {
+    /// Derivative of values along an axis at a point of the part with a section.
+    fn slope(&self, values: &[f64], point: usize, axis: usize, number: usize) -> f64 {
         let h = self.nodes().spacing();
         let own = values[point];
         let of = |points: &[usize]| points.iter().map(|&p| values[p] - own).collect::<Vec<_>>();
-        let [back, ahead] = [-1, 1].map(|sign| of(&self.ahead(point, axis, sign, 2)));
+        let [back, ahead] = [-1, 1].map(|sign| of(&self.ahead(point, axis, (sign, number), 2)));
         // Differences to the own value: a uniform rotation has no curvature.
         match (&back[..], &ahead[..]) {
             ([b, ..], [a, ..]) => (a - b) / (2.0 * h),
@@ -109,31 +127,29 @@ impl PlateBending {
     /// Shear forces by the bonds of every point: least squares of `V·n = s γ_b/(2ω)`, weighed by ω and the part in the body.
     fn shear_of_bonds(&self, u: &[f64]) -> Vec<[f64; 2]> {
         let (nodes, n) = (self.nodes(), self.nodes().points());
-        let directions: Vec<([f64; 2], f64, f64)> = self
-            .offsets()
-            .iter()
-            .map(|offset| {
+        let mut sums = vec![([0.0; 3], [0.0; 2]); n];
+        for Part { parameters, offsets, bonds, .. } in self.parts() {
+            let of_offset = |offset: &Weighted| {
                 let [x, y, _] = nodes.lattice().vector(offset.step);
                 let length = x.hypot(y);
-                let unit = self.parameters().shear(1.0, length);
-                ([x / length, y / length], length, unit)
-            })
-            .collect();
-        let mut sums = vec![([0.0; 3], [0.0; 2]); n];
-        self.whole_bonds().for_each_bond(|offset, [i, j], factor| {
-            let (direction, length, unit) = directions[offset];
-            let weight = factor * self.offsets()[offset].shear;
-            let turn = |k: usize| direction[k] * 0.5 * (u[(k + 1) * n + i] + u[(k + 1) * n + j]);
-            let strain = (u[j] - u[i]) / length - turn(0) - turn(1);
-            let [x, y] = direction;
-            for point in [i, j] {
-                let (matrix, right) = &mut sums[point];
-                let products = [x * x, x * y, y * y];
-                matrix.iter_mut().zip(products).for_each(|(sum, part)| *sum += weight * part);
-                let along = weight * 0.5 * unit * strain;
-                right.iter_mut().zip([x, y]).for_each(|(sum, part)| *sum += along * part);
-            }
-        });
+                ([x / length, y / length], length, parameters.shear(1.0, length))
+            };
+            let directions: Vec<([f64; 2], f64, f64)> = offsets.iter().map(of_offset).collect();
+            bonds.for_each_bond(|offset, [i, j], factor| {
+                let (direction, length, unit) = directions[offset];
+                let weight = factor * offsets[offset].shear;
+                let turn = |k: usize| direction[k] * 0.5 * (u[(k + 1) * n + i] + u[(k + 1) * n + j]);
+                let strain = (u[j] - u[i]) / length - turn(0) - turn(1);
+                let [x, y] = direction;
+                for point in [i, j] {
+                    let (matrix, right) = &mut sums[point];
+                    let products = [x * x, x * y, y * y];
+                    matrix.iter_mut().zip(products).for_each(|(sum, part)| *sum += weight * part);
+                    let along = weight * 0.5 * unit * strain;
+                    right.iter_mut().zip([x, y]).for_each(|(sum, part)| *sum += along * part);
+                }
+            });
+        }
         sums.into_iter().map(|(matrix, right)| solved(matrix, right)).collect()
     }
 }

@@ -2,13 +2,23 @@
 
 use super::super::{Asked, Keys, Material, Model};
 use super::{Bending, NAME};
-use crate::diagnostic::{Faults, positive, root};
+use crate::case::{Modulus, RegionMaterial};
+use crate::diagnostic::{Faults, JsonPath, positive, root};
 use peristat_assembly::model::plate_bending::{PlateParameters, PlateSection};
 
 impl Bending {
     /// The stiffness of the plate, with a horizon per spacing; adds the faults of the keys.
     pub(crate) fn parameters(&self, horizon_ratio: f64, faults: &mut Faults) -> Option<PlateParameters> {
-        let path = root("model").key(NAME);
+        self.parameters_at(&root("model").key(NAME), horizon_ratio, faults)
+    }
+
+    /// The same of keys that the case writes at a path.
+    pub(crate) fn parameters_at(
+        &self,
+        path: &JsonPath,
+        horizon_ratio: f64,
+        faults: &mut Faults,
+    ) -> Option<PlateParameters> {
         let mut fine = positive(self.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
         fine &= positive(self.thickness, "thickness", path.key("thickness"), faults);
         fine &= positive(self.shear_correction, "shear_correction", path.key("shear_correction"), faults);
@@ -28,13 +38,32 @@ impl Bending {
             );
             fine = false;
         }
-        let section = PlateSection::homogeneous(
+        let section = self.section();
+        fine.then_some(PlateParameters { section, horizon_ratio, shear_law: self.shear_law })
+    }
+
+    /// Its stiffness.
+    pub(crate) fn section(&self) -> PlateSection {
+        PlateSection::homogeneous(
             self.youngs_modulus,
             self.poisson_ratio,
             self.thickness,
             self.shear_correction,
-        );
-        fine.then_some(PlateParameters { section, horizon_ratio, shear_law: self.shear_law })
+        )
+    }
+
+    /// A plate that is all as a region of this one.
+    pub(crate) fn of_region(&self, given: &RegionMaterial) -> Self {
+        Self {
+            youngs_modulus: given
+                .youngs_modulus
+                .as_ref()
+                .and_then(Modulus::number)
+                .unwrap_or(self.youngs_modulus),
+            poisson_ratio: given.poisson_ratio.unwrap_or(self.poisson_ratio),
+            thickness: given.thickness.unwrap_or(self.thickness),
+            ..self.clone()
+        }
     }
 }
 

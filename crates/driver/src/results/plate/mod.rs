@@ -1,6 +1,7 @@
 //! The files of a plate in bending: its tables, grids, lines and maps.
 
 mod blocks;
+mod held_lines;
 mod lines;
 mod map;
 
@@ -17,6 +18,7 @@ use crate::run::PlateResult;
 use crate::run::scan;
 use crate::scene::PlateScene;
 use blocks::Blocks;
+pub(super) use held_lines::TABLE;
 use std::borrow::Cow;
 use std::io;
 use std::path::Path;
@@ -55,6 +57,9 @@ pub(super) fn write(
         kept.for_each(|(name, values)| envelope.widen(name, values));
         envelope.place(places);
     }
+    if !scene.held_lines.is_empty() {
+        held_lines::write(&folder.join("fields").join(format!("{name}{TABLE}")), scene, result)?;
+    }
     lines::write(&|line: &str| file(&format!("{name}_{line}"), "csv"), scene, result)
 }
 
@@ -72,7 +77,8 @@ pub(super) fn draw(
         write_maps(folder, scene, result, &title)?;
     }
     let mut blocks = vec![Block::Map(map::map(scene, result))];
-    for (file, diagram) in lines::diagrams(scene, result, &title) {
+    let along = lines::diagrams(scene, result, &title).into_iter();
+    for (file, diagram) in along.chain(held_lines::diagrams(scene, result, &title)) {
         if let Some(folder) = folder {
             plot::write(&folder.join(format!("{file}.svg")), &diagram)?;
         }

@@ -1,12 +1,15 @@
 //! Results of one state of a plate.
 
-use super::of_moments::of_moments;
+use super::along_lines::{AlongLines, along_lines};
+use super::of_moments::{of_moments, stresses};
 use super::reaction::{self, PlateReaction};
 use crate::case::{FieldName, Origin, PlateOrigin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::PlateScene;
+use crate::scene::plate::Thickness;
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, PlateFields, W};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// The result of one state of a plate in bending.
 #[derive(Clone, Debug)]
@@ -17,10 +20,12 @@ pub struct PlateResult {
     pub recovered: Option<PlateFields>,
     /// Forces of the supports on the plate, in the order of the case, lines of symmetry last.
     pub reactions: Vec<PlateReaction>,
+    /// The same along lines that supports hold, per length, and at their ends.
+    pub along_lines: AlongLines,
     /// Forces that hold the equations of the scene, in their order.
     pub(super) multipliers: Vec<f64>,
     points: usize,
-    thickness: f64,
+    thickness: Arc<Thickness>,
 }
 
 /// Collects the result of a state.
@@ -35,10 +40,11 @@ pub(super) fn collect(scene: &PlateScene, solved: SolvedState, recover: bool) ->
     certificate.account(resultants, scene.slack(state));
     PlateResult {
         reactions: reaction::of_supports(scene, &solution.multipliers, &u),
+        along_lines: along_lines(scene, &solution.multipliers, &u),
         recovered: recover.then(|| scene.plate.fields(&u)),
         multipliers: solution.multipliers,
         points: n,
-        thickness: scene.thickness,
+        thickness: scene.thickness.clone(),
         record: StateRecord {
             index,
             name: state.name.clone(),
@@ -87,7 +93,9 @@ impl PlateResult {
             Origin::Plate(PlateOrigin::Shear(k)) => Some(sum(&|p| recovered.shear[p][k])),
             origin => {
                 let moment = [0, 1, 2].map(|k| sum(&|p| recovered.moment[p][k]));
-                of_moments(origin, moment, self.thickness)
+                // Of points: on a step those of the thinner side are the larger ones.
+                let of = |p: usize| stresses(recovered.moment[p], self.thickness.at(p));
+                of_moments(origin, moment, [0, 1, 2].map(|k| sum(&|p| of(p)[k])))
             }
         }
     }

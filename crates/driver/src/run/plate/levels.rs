@@ -3,7 +3,7 @@
 use crate::run::{Coarser, CoarserModels};
 use crate::scene::PlateScene;
 use peristat_assembly::condition::{Equation, Unknown};
-use peristat_assembly::model::plate_bending::{PlateBending, PlateNodes, PlateTransfer, W};
+use peristat_assembly::model::plate_bending::{PlateBending, PlateNodes, PlateTransfer};
 use peristat_assembly::stiffness::{Spring, Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 use std::collections::{BTreeMap, BTreeSet};
@@ -111,13 +111,14 @@ impl Conditions {
 
     /// Springs shared by the coarse points around theirs.
     fn coarser_springs(&self, transfer: &PlateTransfer) -> Vec<Spring> {
-        let mut sums: BTreeMap<usize, f64> = BTreeMap::new();
-        for (spring, (_, stiffness)) in self.springs.iter().filter_map(|s| Some((s, s.single()?))) {
+        let mut sums: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+        for (spring, (component, stiffness)) in self.springs.iter().filter_map(|s| Some((s, s.single()?))) {
             for (point, share) in transfer.shares(spring.point) {
-                *sums.entry(point).or_default() += share * stiffness;
+                *sums.entry((component, point)).or_default() += share * stiffness;
             }
         }
-        sums.into_iter().map(|(point, stiffness)| Spring::on(W, point, stiffness)).collect()
+        let spring = |((component, point), stiffness)| Spring::on(component, point, stiffness);
+        sums.into_iter().map(spring).collect()
     }
 }
 

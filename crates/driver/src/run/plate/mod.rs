@@ -1,5 +1,6 @@
 //! Running plates in bending: the common run, and the fields recovered.
 
+mod along_lines;
 mod fields;
 mod levels;
 mod of_moments;
@@ -7,6 +8,7 @@ mod problem;
 mod reaction;
 mod verdict;
 
+pub use along_lines::{AlongLines, LineReaction};
 pub use fields::PlateResult;
 pub use reaction::PlateReaction;
 pub(crate) use verdict::{checks, probes};

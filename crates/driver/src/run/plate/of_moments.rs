@@ -3,11 +3,14 @@
 use crate::case::{Origin, PlateOrigin};
 use std::f64::consts::FRAC_PI_2;
 
-/// A field that follows from moments `[M_xx, M_yy, M_xy]` per width in a plate of a thickness; none if it is another one. Stresses
-/// are those on the side of +w, which positive moments compress: `σ = −6 M/t²`.
-pub(super) fn of_moments(origin: Origin, moment: [f64; 3], thickness: f64) -> Option<f64> {
+/// Stresses on the side of +w, which positive moments compress, in a plate of a thickness: `σ = −6 M/t²`.
+pub(super) fn stresses(moment: [f64; 3], thickness: f64) -> [f64; 3] {
+    moment.map(|m| -6.0 * m / (thickness * thickness))
+}
+
+/// A field that follows from moments `[M_xx, M_yy, M_xy]` per width and stresses; none if it is another one.
+pub(super) fn of_moments(origin: Origin, moment: [f64; 3], stress: [f64; 3]) -> Option<f64> {
     let [xx, yy, xy] = moment;
-    let stress = moment.map(|m| -6.0 * m / (thickness * thickness));
     Some(match origin {
         Origin::Plate(PlateOrigin::Moment(k)) => moment[k],
         Origin::Plate(PlateOrigin::Principal(k)) => principal(moment)[k],
@@ -64,13 +67,14 @@ mod tests {
 
     #[test]
     fn principal_moments_and_stresses_follow_from_moments() {
-        let of = |origin| of_moments(origin, [3.0, 1.0, 1.0], 2.0).unwrap();
+        const MOMENT: [f64; 3] = [3.0, 1.0, 1.0];
+        let of = |origin| of_moments(origin, MOMENT, stresses(MOMENT, 2.0)).unwrap();
         let root = 2.0_f64.sqrt();
         assert!((of(Origin::Plate(PlateOrigin::Principal(0))) - 2.0 - root).abs() < 1e-15);
         assert!((of(Origin::Plate(PlateOrigin::Principal(1))) - 2.0 + root).abs() < 1e-15);
         assert!((of(Origin::Plate(PlateOrigin::Direction)) - std::f64::consts::FRAC_PI_8).abs() < 1e-15);
         assert_eq!(of(Origin::Stress("xx")), -4.5);
         assert!((of(Origin::VonMises) - 1.5 * 10.0_f64.sqrt()).abs() < 1e-14);
-        assert_eq!(of_moments(Origin::Energy, [0.0; 3], 1.0), None);
+        assert_eq!(of_moments(Origin::Energy, [0.0; 3], [0.0; 3]), None);
     }
 }

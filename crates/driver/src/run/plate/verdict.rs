@@ -1,10 +1,11 @@
 //! Probes and checks on the result of a plate.
 
 use super::PlateResult;
+use crate::case::FieldName;
 use crate::run::reducer::{Reduced, Reducer};
 use crate::run::verdict::{self, CheckResult, ProbeResult};
 use crate::scene::body::BodyComparison;
-use crate::scene::plate::{PlateProbe, PlateQuantity};
+use crate::scene::plate::{OnLine, PlateProbe, PlateQuantity};
 use crate::scene::{Expectation, ExpectationKind, PlateScene};
 use peristat_assembly::sum::Sum;
 
@@ -28,12 +29,47 @@ pub(crate) fn probes(scene: &PlateScene, result: &PlateResult) -> Vec<ProbeResul
             field: p.field.name().into(),
             of: p.reduction(),
             value: found.value,
-            unit: verdict::unit(p.field, p.reduction(), 2, scene.units),
+            unit: verdict::unit(p.field, p.reduction(), power(p), scene.units),
             extent: found.extent,
             misfit: None,
         })
     };
     scene.probes.iter().filter_map(probe).collect()
+}
+
+/// What integrals are over: lengths to this power.
+fn power(probe: &PlateProbe) -> i32 {
+    if matches!(probe.quantity, PlateQuantity::OnLine(_)) { 1 } else { 2 }
+}
+
+/// What a probe finds along lines that are held; means and integrals are over lengths.
+fn along_lines(
+    scene: &PlateScene,
+    result: &PlateResult,
+    field: FieldName,
+    found: &OnLine,
+) -> Option<Reduced<usize>> {
+    let values = |line: usize| match field {
+        FieldName::ReactionMomentPerLength => &result.along_lines.lines[line].moment,
+        _ => &result.along_lines.lines[line].force,
+    };
+    let plain = |value: f64| Some(Reduced { value, place: None, extent: None });
+    match found {
+        OnLine::At(line, shares) => plain(shares.iter().map(|&(k, share)| share * values(*line)[k]).sum()),
+        OnLine::Corners(points) => {
+            plain(points.iter().filter_map(|point| result.along_lines.corners.get(point)).sum())
+        }
+        OnLine::Reduced { of, lines } => {
+            let (h, mut reducer) = (scene.plate.nodes().spacing(), Reducer::new(*of));
+            for &line in lines {
+                let held = &scene.held_lines[line];
+                for (k, (&point, &value)) in held.points.iter().zip(values(line)).enumerate() {
+                    reducer.take(value, point as usize, |_| h * held.weight(k));
+                }
+            }
+            reducer.found()
+        }
+    }
 }
 
 /// What a probe finds; means and integrals are over areas.
@@ -50,6 +86,7 @@ fn read(scene: &PlateScene, result: &PlateResult, probe: &PlateProbe) -> Option<
             }
             reducer.found()
         }
+        PlateQuantity::OnLine(found) => along_lines(scene, result, probe.field, found),
         PlateQuantity::Reaction { component, equations, springs } => {
             let n = scene.plate.nodes().points();
             let mut sum = Sum::default();

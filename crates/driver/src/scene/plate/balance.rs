@@ -13,6 +13,13 @@ impl PlateScene {
         sum
     }
 
+    /// Volume of the quarters of cells about a point.
+    pub fn volume(&self, point: usize) -> f64 {
+        let (nodes, area) = (self.plate.nodes(), self.plate.nodes().spacing().powi(2));
+        let parts = self.plate.sections().about(nodes, point);
+        parts.map(|(number, part)| part * area * self.thickness.of_sections[number]).sum()
+    }
+
     /// Resultant of forces on some unknowns, by number.
     pub fn resultant(&self, forces: impl Iterator<Item = (usize, f64)>) -> Resultant {
         statics::resultant(self.plate.nodes(), forces)

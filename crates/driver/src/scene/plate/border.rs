@@ -75,6 +75,19 @@ impl Border {
         ways.min_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or_default()
     }
 
+    /// What the part of the border is called that a side stands for.
+    pub(super) fn name(&self, side: &Side, outline: &Outline) -> String {
+        let of_hole = |hole: usize| match &outline.holes()[hole].name {
+            Some(name) => name.clone(),
+            None => format!("hole {}", hole + 1),
+        };
+        match self.parts[side.part].0 {
+            BorderMember::Edge(edge) => outline.edges()[edge].name.clone(),
+            BorderMember::Hole(hole) => of_hole(hole),
+            BorderMember::HoleEdge { hole, edge } => format!("{} {}", of_hole(hole), edge + 1),
+        }
+    }
+
     /// Whether a hole has an edge.
     pub(super) fn has_hole(&self, number: usize) -> bool {
         self.sides.iter().any(|side| match self.parts[side.part].0 {

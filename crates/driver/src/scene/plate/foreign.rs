@@ -6,7 +6,6 @@ use crate::diagnostic::{Faults, JsonPath, root};
 /// Adds a fault for every such key.
 pub(super) fn check(case: &Case, faults: &mut Faults) {
     let keys = [
-        ("materials", !case.materials.is_empty(), "a plate in bending has one material"),
         ("links", !case.links.is_empty(), "points are held by `supports`"),
         ("rigid", !case.rigid.is_empty(), "points are held by `supports`"),
         ("periodic", !case.periodic.is_empty(), "model half of the plate beside a line of `symmetry`"),
@@ -46,13 +45,10 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
         Load::Distributed(_) => ("distributed", "a force per length is a `line`, one per area a `pressure`"),
         Load::Traction(_) => ("traction", "a force or moment per length of an edge is a `line`"),
         Load::BodyForce(_) => ("body_force", "a force per area is a `pressure`"),
-        Load::Gravity(_) => {
-            ("gravity", "weight is a `pressure` of density times thickness times acceleration")
-        }
         Load::Spin(_) => ("spin", "plates in bending move across their plane alone"),
         Load::Temperature(_) => ("temperature", "plates in bending have no change of temperature"),
         Load::InitialStrain(_) => ("initial_strain", "plates in bending have no initial strains"),
-        Load::Point(_) | Load::Pressure(_) | Load::Line(_) => return,
+        Load::Point(_) | Load::Pressure(_) | Load::Line(_) | Load::Gravity(_) => return,
     };
     faults.error(path.key(key), format!("`{key}` does not act on plates in bending")).hint(hint);
 }

@@ -2,7 +2,8 @@
 
 use super::plate_loads::PlateLoads;
 use super::site::Site;
-use super::{foreign, line_load, point_load, pressure};
+use super::thickness::Thickness;
+use super::{foreign, gravity, line_load, point_load, pressure};
 use crate::case::Load;
 use crate::diagnostic::{Faults, root};
 use crate::scene::Resultant;
@@ -10,7 +11,11 @@ use crate::scene::states::{self, Group};
 use peristat_assembly::model::plate_bending::PlateBending;
 
 /// All load cases.
-pub(super) fn load_cases(site: &Site, plate: &PlateBending, faults: &mut Faults) -> Vec<PlateLoads> {
+pub(super) fn load_cases(
+    site: &Site,
+    (plate, thickness): (&PlateBending, &Thickness),
+    faults: &mut Faults,
+) -> Vec<PlateLoads> {
     let resolve = |group: &Group, faults: &mut Faults| {
         let mut to = PlateLoads {
             force: vec![0.0; 3 * site.nodes.points()],
@@ -26,6 +31,9 @@ pub(super) fn load_cases(site: &Site, plate: &PlateBending, faults: &mut Faults)
                 }
                 Load::Line(load) => line_load::add(load, at, plate, &path.key("line"), &mut to, faults),
                 Load::Point(load) => point_load::add(load, site, &path.key("point"), &mut to, faults),
+                Load::Gravity(load) => {
+                    gravity::add(load, site, (plate, thickness), &path.key("gravity"), &mut to, faults);
+                }
                 other => foreign::refuse(other, &path, faults),
             }
         }

@@ -12,6 +12,36 @@ const GAUSS: f64 = 0.288_675_134_594_812_9;
 /// Part of a pressure by formula that its values at the points may miss without a word: of a sine with 13 cells per half wave.
 const COARSE: f64 = 0.01;
 
+/// The cells that are loaded: those of a region, or all.
+pub(super) struct Loaded(Option<Vec<u32>>);
+
+impl Loaded {
+    /// Whether a cell of the plate is.
+    pub(super) fn has(&self, site: &Site, [column, row]: [i32; 2]) -> bool {
+        match (&self.0, site.nodes.cells().number([column, row, 0])) {
+            (Some(region), Some(number)) => region.binary_search(&(number as u32)).is_ok(),
+            _ => true,
+        }
+    }
+}
+
+/// The cells of a region of a load; none with a fault if it has none.
+pub(super) fn inside(
+    region: Option<&String>,
+    site: &Site,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Loaded> {
+    let Some(name) = region else { return Some(Loaded(None)) };
+    let found = site.cells.region(name, &path.key("region"), faults);
+    // One without points has its fault already; here it may have points, and no middles.
+    if found.is_none() && site.case.regions.contains_key(name) {
+        let message = format!("no cell has its middle in the region `{name}`: nothing is loaded");
+        faults.error(path.key("region"), message).hint("use a larger region, or a smaller spacing");
+    }
+    Some(Loaded(Some(found?)))
+}
+
 /// Adds a pressure.
 pub(super) fn add(
     load: &Pressure,
@@ -38,27 +68,8 @@ pub(super) fn add(
     if pressure.is_zero() && factor.is_none() {
         faults.error(path.clone(), "this load is zero").hint("give `value`, or a `formula`");
     }
-    let region = match &load.region {
-        None => None,
-        Some(name) => match site.cells.region(name, &path.key("region"), faults) {
-            Some(cells) => Some(cells),
-            None => {
-                // One without points has its fault already; here it may have points, and no middles.
-                if site.case.regions.contains_key(name) {
-                    let message = format!("no cell has its middle in the region `{name}`: nothing is loaded");
-                    faults
-                        .error(path.key("region"), message)
-                        .hint("use a larger region, or a smaller spacing");
-                }
-                return;
-            }
-        },
-    };
-    let cells = site.nodes.cells();
-    let inside = |[column, row]: [i32; 2]| match (&region, cells.number([column, row, 0])) {
-        (Some(region), Some(number)) => region.binary_search(&(number as u32)).is_ok(),
-        _ => true,
-    };
+    let Some(loaded) = inside(load.region.as_ref(), site, path, faults) else { return };
+    let (cells, inside) = (site.nodes.cells(), |cell: [i32; 2]| loaded.has(site, cell));
     let at = |[x, y]: [f64; 2]| pressure.at([x, y, 0.0]).unwrap_or(f64::NAN);
     plate.add_pressure(inside, at, &mut to.force);
     let (h, [mut taken, mut asked, mut size]) = (site.nodes.spacing(), [0.0; 3]);

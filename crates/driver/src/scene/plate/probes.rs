@@ -1,8 +1,10 @@
 //! Probes of a plate.
 
 use super::border::Side;
+use super::held::Held;
+use super::held_line::HeldLine;
+use super::line_probe::{self, OnLine};
 use super::site::Site;
-use super::supports::Held;
 use crate::case::{FieldName, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
@@ -45,6 +47,8 @@ pub enum PlateQuantity {
         /// The same of springs of the scene.
         springs: Vec<(usize, f64)>,
     },
+    /// What supports do to the plate along lines that they hold.
+    OnLine(OnLine),
 }
 
 /// The forces of supports, by what they act on.
@@ -59,17 +63,25 @@ impl PlateProbe {
 
     /// What it makes of many points, if it does.
     pub fn reduction(&self) -> Option<Reduction> {
-        if let PlateQuantity::Reduced { of, .. } = self.quantity { Some(of) } else { None }
+        match self.quantity {
+            PlateQuantity::Reduced { of, .. } | PlateQuantity::OnLine(OnLine::Reduced { of, .. }) => Some(of),
+            _ => None,
+        }
     }
 }
 
 /// The fields that probes can ask for.
 pub(super) fn askable() -> Vec<FieldName> {
-    FieldName::PLATE.into_iter().chain(REACTIONS.map(|(field, _)| field)).collect()
+    let reactions = REACTIONS.map(|(field, _)| field).into_iter().chain(line_probe::FIELDS);
+    FieldName::PLATE.into_iter().chain(reactions).collect()
 }
 
 /// Probes of the case.
-pub(super) fn probes(site: &Site, held: &Held, faults: &mut Faults) -> Vec<PlateProbe> {
+pub(super) fn probes(
+    site: &Site,
+    (held, lines): (&Held, &[HeldLine]),
+    faults: &mut Faults,
+) -> Vec<PlateProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
         if !askable().contains(&probe.field) {
             faults
@@ -81,6 +93,10 @@ pub(super) fn probes(site: &Site, held: &Held, faults: &mut Faults) -> Vec<Plate
             return None;
         }
         let (quantity, place) = match probe.of {
+            _ if line_probe::FIELDS.contains(&probe.field) => {
+                let (found, place) = line_probe::of(probe, site, (held, lines), path, faults)?;
+                (PlateQuantity::OnLine(found), place)
+            }
             Some(of) => reduced(probe, of, site, path, faults)?,
             None => at_place(probe, site, held, &path.key("at"), faults)?,
         };
@@ -181,7 +197,8 @@ fn reaction(component: usize, points: &[u32], asked: Option<&[Side]>, held: &Hel
                 equations.push((k, sum));
             }
         }
-        let sprung = support.springs.clone().filter(|_| component == W);
+        let resists = |k: &usize| held.springs[*k].single().is_some_and(|(own, _)| own == component);
+        let sprung = support.springs.clone().filter(resists);
         let sprung = sprung.map(|k| (k, share(held.springs[k].point as u32)));
         springs.extend(sprung.filter(|spring| spring.1 != 0.0));
     }

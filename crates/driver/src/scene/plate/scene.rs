@@ -1,11 +1,15 @@
 //! From a case of a plate in bending to its scene.
 
 use super::border::Border;
+use super::held::PlateSupport;
+use super::held_line::{self, HeldLine};
 use super::loads;
+use super::materials::{self, PlateMaterial};
 use super::plate_loads::PlateLoads;
 use super::probes::{self, PlateProbe};
 use super::site::Site;
-use super::supports::{self, PlateSupport};
+use super::supports;
+use super::thickness::Thickness;
 use super::{foreign, foundation, symmetry, warnings};
 use crate::case::{Case, FieldName, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath, root};
@@ -40,12 +44,16 @@ pub struct PlateScene {
     pub units: Units,
     /// The plate with its bonds.
     pub plate: PlateBending,
-    /// Thickness.
-    pub thickness: f64,
+    /// Regions that are thicker or thinner, or of another material.
+    pub materials: Vec<PlateMaterial>,
+    /// How thick it is.
+    pub thickness: Arc<Thickness>,
     /// Its points as a body.
     pub body: PointBody,
     /// What holds it, lines of symmetry last.
     pub supports: Vec<PlateSupport>,
+    /// Lines of points that they hold, along which reactions are per length.
+    pub held_lines: Vec<HeldLine>,
     /// Equations of the supports.
     pub equations: Vec<Equation>,
     /// Springs of the supports, then those of the foundation.
@@ -113,35 +121,46 @@ impl PlateScene {
         let (PointBody::Lattice(cells), Some(outline)) = (given, outline) else { return None };
         let parameters = parameters.filter(|_| !faults.has_errors())?;
         let cells = Arc::new(inside(&cells, &outline));
-        let plate = PlateBending::new(cells.clone(), parameters);
+        let of_cells = PointBody::Lattice((*cells).clone());
+        let on_cells = Ground::new(case, &of_cells, (Some(&outline), &[], &parts), &mut Faults::default());
+        let on = (&on_cells, &*cells);
+        let (materials, sections) = materials::of(case, keys, on, (ratio, max_memory), faults);
+        if faults.has_errors() {
+            return None;
+        }
+        let plate = PlateBending::of_sections(cells.clone(), parameters, sections);
         let plate = plate.map_err(|error| refuse(&error, case, faults)).ok()?;
-        let (nodes, of_cells) = (plate.nodes(), PointBody::Lattice((*cells).clone()));
+        let thickness = Thickness::new(keys.thickness, &materials, &plate);
+        let nodes = plate.nodes();
         let points = PointBody::Lattice((**nodes.lattice()).clone());
         let site = Site {
             case,
             outline: &outline,
             nodes,
             ground: &Ground::new(case, &points, (Some(&outline), &[], &parts), faults),
-            cells: &Ground::new(case, &of_cells, (Some(&outline), &[], &parts), &mut Faults::default()),
+            cells: &on_cells,
             border: &Border::new(&outline, nodes),
         };
         let mut held = supports::held(&site, faults);
         symmetry::hold(&site, &mut held, faults);
-        let load_cases = loads::load_cases(&site, &plate, faults);
+        let load_cases = loads::load_cases(&site, (&plate, &thickness), faults);
         loads::check_loaded(&site, &load_cases, held.moves(), faults);
-        let probes = probes::probes(&site, &held, faults);
+        let held_lines = held_line::lines(&site, &held);
+        let probes = probes::probes(&site, (&held, &held_lines), faults);
         let interpolation = Interpolation { body: &points, cracks: &[], reach: 1 };
         let lines = lines(site.ground, &interpolation, &|p| p, max_memory, faults);
         let states = BodyState::all(case, faults);
         let expectations = expectations(case, &points, (&states, &probes), (folder, max_memory), faults);
         held.springs.extend(foundation::springs(&site, faults));
-        warnings::collect(&site, (&parameters, keys.thickness), faults);
+        warnings::collect(&site, (&parameters, thickness.least()), faults);
         Some(Self {
             case: case.clone(),
             files: Vec::new(),
             units: case.units,
-            thickness: keys.thickness,
+            materials,
+            thickness: Arc::new(thickness),
             supports: held.supports,
+            held_lines,
             equations: held.equations,
             springs: held.springs,
             load_cases,

@@ -5,7 +5,7 @@ use crate::case::{At, Case};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::site::ground::{Ground, NamedPoints};
 use peristat_assembly::body::Outline;
-use peristat_assembly::model::plate_bending::PlateNodes;
+use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, PlateNodes};
 
 /// A plate with everything on it that has a name.
 pub(super) struct Site<'a> {
@@ -23,6 +23,28 @@ impl Site<'_> {
     /// Sides of cells on the parts of the border that a name calls; none if it calls no such parts.
     pub(super) fn sides(&self, name: &str) -> Option<Vec<Side>> {
         Some(self.border.of(&self.outline.members(name)?))
+    }
+
+    /// Points next to each other among some that are in one row or one column, with the component of the rotation along it; none of
+    /// others.
+    pub(super) fn steps_of_line(&self, points: &[u32]) -> Vec<(usize, [u32; 2])> {
+        let node = |point: u32| self.nodes.node(point as usize);
+        let mut steps = Vec::new();
+        for (axis, along) in [(0, PHI_X), (1, PHI_Y)] {
+            let across = 1 - axis;
+            if !points.windows(2).all(|pair| node(pair[0])[across] == node(pair[1])[across]) {
+                continue;
+            }
+            for &from in points {
+                let mut next = node(from);
+                next[axis] += 1;
+                let to = self.nodes.number(next).map(|to| to as u32);
+                let to = to.filter(|to| points.binary_search(to).is_ok());
+                let to = to.filter(|_| self.nodes.is_joined(node(from), axis));
+                steps.extend(to.map(|to| (along, [from, to])));
+            }
+        }
+        steps
     }
 
     /// The place that `at` names: points of its sides, of a part of the border; `what` is what is placed.

@@ -21,20 +21,24 @@ pub(super) fn check(support: &Support, path: &JsonPath, faults: &mut Faults) {
     for (key, _) in foreign.iter().filter(|key| key.1) {
         faults
             .error(path.key(*key), format!("`{key}` does not hold a plate in bending"))
-            .hint("give `w`, `phi_n`, `phi_t`, `phi_x` or `phi_y`; or `w_spring` for an elastic support");
+            .hint("give `w`, `phi_n`, `phi_t`, `phi_x` or `phi_y`; or `w_spring` or `phi_n_spring` for an elastic support");
     }
-    let Support { w, phi_x, phi_y, phi_n, phi_t, w_spring, .. } = support;
-    let holds = [w, phi_x, phi_y, phi_n, phi_t].iter().any(|given| given.is_some()) || w_spring.is_some();
+    let Support { w, phi_x, phi_y, phi_n, phi_t, w_spring, phi_n_spring, .. } = support;
+    let holds = [w, phi_x, phi_y, phi_n, phi_t].iter().any(|given| given.is_some())
+        || w_spring.is_some()
+        || phi_n_spring.is_some();
     if !holds && !foreign.iter().any(|key| key.1) {
         faults.error(path.clone(), "this support holds nothing").hint(
             "a clamped edge gives `w`, `phi_n` and `phi_t`, a simple support `w` and `phi_t`, a guided edge `phi_n`",
         );
     }
-    if let Some(stiffness) = *w_spring {
-        positive(stiffness, "w_spring", path.key("w_spring"), faults);
-        if w.is_some() {
+    let springs = [("w_spring", w_spring, ("w", w)), ("phi_n_spring", phi_n_spring, ("phi_n", phi_n))];
+    for (key, stiffness, (held, value)) in springs {
+        let Some(stiffness) = *stiffness else { continue };
+        positive(stiffness, key, path.key(key), faults);
+        if value.is_some() {
             faults
-                .error(path.key("w_spring"), "`w` is prescribed, so `w_spring` would do nothing")
+                .error(path.key(key), format!("`{held}` is prescribed, so `{key}` would do nothing"))
                 .hint("remove one of them");
         }
     }

@@ -2,60 +2,16 @@
 
 use super::border::Side;
 use super::clamped_stairs::{self, Followed};
+use super::held::{Held, Place};
 use super::site::Site;
-use super::{support_keys, symmetry};
+use super::{support_keys, support_springs, symmetry};
 use crate::case::{Amount, Support};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::body::site::place_of_point;
 use crate::scene::prescribed::Prescribed;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, W};
-use peristat_assembly::stiffness::Spring;
 use std::collections::BTreeMap;
-use std::ops::Range;
-
-/// What holds a plate at a place.
-#[derive(Clone, Debug)]
-pub struct PlateSupport {
-    /// What the user calls the place.
-    pub name: String,
-    /// Which of the equations of the scene are its.
-    pub equations: Range<usize>,
-    /// Which of the springs of the scene are its.
-    pub springs: Range<usize>,
-}
-
-/// All that supports make.
-#[derive(Default)]
-pub(super) struct Held {
-    pub(super) supports: Vec<PlateSupport>,
-    /// The sides of cells that each of them holds.
-    pub(super) sides: Vec<Vec<Side>>,
-    pub(super) equations: Vec<Equation>,
-    pub(super) springs: Vec<Spring>,
-}
-
-impl Held {
-    /// Takes the equations and springs of one support.
-    pub(super) fn take(
-        &mut self,
-        (name, sides): (String, Vec<Side>),
-        equations: Vec<Equation>,
-        springs: Vec<Spring>,
-    ) {
-        self.sides.push(sides);
-        let [first, from] = [self.equations.len(), self.springs.len()];
-        self.equations.extend(equations);
-        self.springs.extend(springs);
-        let (equations, springs) = (first..self.equations.len(), from..self.springs.len());
-        self.supports.push(PlateSupport { name, equations, springs });
-    }
-
-    /// Whether something that it prescribes is not zero.
-    pub(super) fn moves(&self) -> bool {
-        self.equations.iter().any(|equation| equation.value != 0.0)
-    }
-}
 
 /// The supports of the case.
 pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
@@ -81,10 +37,9 @@ pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
         of.hold_deflection(&spot.points, &sides, faults);
         of.hold_rotations(&spot.points, &sides, faults);
         let equations = of.equations;
-        let share = support.w_spring.unwrap_or(0.0) / spot.points.len() as f64;
-        let sprung = spot.points.iter().filter(|_| share > 0.0);
-        let springs = sprung.map(|&p| Spring::on(W, p as usize, share)).collect();
-        held.take((spot.words, sides), equations, springs);
+        let springs = support_springs::springs(support, site, (&spot.points, &sides), &path, faults);
+        let place = Place { name: spot.words, points: spot.points, sides, is_mirror: false };
+        held.take(place, equations, springs);
     }
     held
 }

@@ -1,7 +1,7 @@
 //! Lines of symmetry of a plate: it does not turn across them.
 
+use super::held::{Held, Place};
 use super::site::{Site, points_of};
-use super::supports::Held;
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y};
@@ -30,8 +30,10 @@ pub(super) fn hold(site: &Site, held: &mut Held, faults: &mut Faults) {
             value: 0.0,
             origin: path.to_string(),
         };
-        let equations = points_of(&sides).into_iter().map(equation).collect();
-        held.take((format!("symmetry `{name}`"), sides), equations, Vec::new());
+        let points = points_of(&sides);
+        let equations = points.iter().map(|&point| equation(point)).collect();
+        let place = Place { name: format!("symmetry `{name}`"), points, sides, is_mirror: true };
+        held.take(place, equations, Vec::new());
     }
 }
 

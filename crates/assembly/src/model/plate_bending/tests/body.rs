@@ -45,7 +45,7 @@ fn edges_run_around_the_body_and_its_holes() {
 }
 
 /// Eigenvalues of the stiffness with a diagonal of ones, ascending.
-fn scaled_eigenvalues(plate: &PlateBending) -> Vec<f64> {
+pub(super) fn scaled_eigenvalues(plate: &PlateBending) -> Vec<f64> {
     let k = stiffness(plate.nodes().points(), &plate.terms());
     let scale: Vec<f64> = k.diagonal().iter().map(|d| 1.0 / d.sqrt()).collect();
     let scaled = DMatrix::from_fn(k.nrows(), k.ncols(), |a, b| scale[a] * k[(a, b)] * scale[b]);

@@ -6,6 +6,7 @@ mod closed_forms;
 mod fields;
 mod patch;
 mod reference;
+mod steps;
 mod transfer;
 mod weights;
 

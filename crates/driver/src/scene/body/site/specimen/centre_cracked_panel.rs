@@ -72,6 +72,7 @@ fn support(at: At, ux: Option<f64>, uy: Option<f64>) -> Support {
         uy_spring: None,
         uz_spring: None,
         phi_spring: None,
+        phi_n_spring: None,
         only: None,
         gap: None,
     }
