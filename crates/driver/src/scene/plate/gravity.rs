@@ -4,7 +4,7 @@ use super::plate_loads::PlateLoads;
 use super::pressure;
 use super::site::Site;
 use super::thickness::Thickness;
-use crate::case::Gravity;
+use crate::case::{Gravity, RegionMaterial};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::mass;
 use peristat_assembly::model::plate_bending::PlateBending;
@@ -27,7 +27,8 @@ pub(super) fn add(
             );
         return;
     }
-    if let Some((name, _)) = site.case.materials.iter().find(|(_, given)| given.youngs_modulus.is_some()) {
+    let is_other = |given: &RegionMaterial| given.youngs_modulus.is_some() || given.poisson_ratio.is_some();
+    if let Some((name, _)) = site.case.materials.iter().find(|(_, given)| is_other(given)) {
         faults
             .error(path.clone(), format!("the `density` is that of `model`, and `{name}` is of another material"))
             .hint("give its weight as a `pressure` on its region, and that of the rest by `gravity` on another one");
