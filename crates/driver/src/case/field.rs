@@ -236,15 +236,6 @@ pub enum FieldName {
 }
 
 impl FieldName {
-    /// The fields that every point of a beam has, in the order of tables.
-    pub fn of_beam(on_frame: bool, has_axial: bool) -> &'static [Self] {
-        match (on_frame, has_axial) {
-            (true, _) => &Self::FRAME,
-            (false, true) => &Self::STRETCHED,
-            (false, false) => &Self::LINE,
-        }
-    }
-
     /// What is known of it.
     pub const fn about(self) -> Field {
         use {Origin::*, Unit::*};
@@ -347,17 +338,5 @@ impl FieldName {
         use Origin::{Material, Opening, Plate, Reaction, Turn, Unknown};
         let origin = self.about().origin;
         !matches!(origin, Reaction(_) | Unknown | Opening | Turn(_) | Material | Plate(PlateOrigin::HeldLine))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_those_of_case_files() {
-        for field in FieldName::FRAME.into_iter().chain(FieldName::BODY).chain(FieldName::PLATE) {
-            assert_eq!(serde_json::to_value(field).unwrap(), field.name());
-        }
     }
 }

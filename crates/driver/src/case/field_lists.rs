@@ -105,4 +105,25 @@ impl FieldName {
         Self::Temperature,
         Self::Material,
     ];
+
+    /// The fields that every point of a beam has, in the order of tables.
+    pub fn of_beam(on_frame: bool, has_axial: bool) -> &'static [Self] {
+        match (on_frame, has_axial) {
+            (true, _) => &Self::FRAME,
+            (false, true) => &Self::STRETCHED,
+            (false, false) => &Self::LINE,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_case_files() {
+        for field in FieldName::FRAME.into_iter().chain(FieldName::BODY).chain(FieldName::PLATE) {
+            assert_eq!(serde_json::to_value(field).unwrap(), field.name());
+        }
+    }
 }
