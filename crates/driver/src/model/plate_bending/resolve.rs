@@ -2,7 +2,6 @@
 
 use super::super::{Asked, Keys, Material, Model};
 use super::{Bending, NAME};
-use crate::case::{Modulus, RegionMaterial};
 use crate::diagnostic::{Faults, JsonPath, positive, root};
 use peristat_assembly::model::plate_bending::{PlateParameters, PlateSection};
 
@@ -52,16 +51,17 @@ impl Bending {
         )
     }
 
-    /// A plate that is all as a region of this one.
-    pub(crate) fn of_region(&self, given: &RegionMaterial) -> Self {
+    /// A plate that is all as a region of this one, of which Young's modulus, Poisson's ratio and thickness may be given.
+    pub(crate) fn of_region(
+        &self,
+        youngs_modulus: Option<f64>,
+        poisson_ratio: Option<f64>,
+        thickness: Option<f64>,
+    ) -> Self {
         Self {
-            youngs_modulus: given
-                .youngs_modulus
-                .as_ref()
-                .and_then(Modulus::number)
-                .unwrap_or(self.youngs_modulus),
-            poisson_ratio: given.poisson_ratio.unwrap_or(self.poisson_ratio),
-            thickness: given.thickness.unwrap_or(self.thickness),
+            youngs_modulus: youngs_modulus.unwrap_or(self.youngs_modulus),
+            poisson_ratio: poisson_ratio.unwrap_or(self.poisson_ratio),
+            thickness: thickness.unwrap_or(self.thickness),
             ..self.clone()
         }
     }

@@ -8,7 +8,7 @@ use std::io;
 use std::path::Path;
 
 /// Name of the table of a state, behind that of the state.
-pub(in crate::results) const TABLE: &str = "-supports.csv";
+pub(crate) const TABLE: &str = "-supports.csv";
 
 /// Writes forces and moments per length at the points of all lines, which have their numbers from 1 in the summary.
 ///

@@ -50,7 +50,7 @@ pub(super) fn of(
     for (name, given) in &case.materials {
         let path = root("materials").key(name);
         check_keys(given, &path, faults);
-        let keys = base.of_region(given);
+        let keys = base.of_region(given.youngs_modulus, given.poisson_ratio, given.thickness);
         let parameters = keys.parameters_at(&path, horizon_ratio, faults);
         let own = region(given, ground, &path, faults);
         let (Some(parameters), Some(own)) = (parameters, own) else { continue };
