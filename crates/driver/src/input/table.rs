@@ -33,6 +33,9 @@ pub fn read(bytes: &[u8], coordinates: usize) -> Result<Table, ReadError> {
     let find = |name: &str| names.iter().position(|n| *n == name);
     let fault = |message: String| ReadError::at(lines.number(), message).hint(COLUMNS);
     let value = find("value").ok_or_else(|| fault("there is no column `value`".into()))?;
+    if let Some(name) = names.iter().find(|name| names.iter().filter(|n| n == name).count() > 1) {
+        return Err(fault(format!("there are several columns `{name}`")));
+    }
     let axes = AXES.map(find);
     if let Some(axis) = (coordinates..3).find(|axis| axes[*axis].is_some()) {
         return Err(fault(format!("there is no `{}` in the plane", AXES[axis])));
@@ -43,6 +46,11 @@ pub fn read(bytes: &[u8], coordinates: usize) -> Result<Table, ReadError> {
     let mut rows: Vec<([f64; 3], f64)> = Vec::new();
     while let Some(row) = lines.raw() {
         let cells: Vec<&[u8]> = row.split(|b| *b == b',').collect();
+        if cells.len() != names.len() {
+            let (found, asked) = (cells.len(), names.len());
+            let message = format!("there are {found} numbers in this row, and {asked} columns");
+            return Err(ReadError::at(lines.number(), message).hint("decimals have a point"));
+        }
         let number = |column: usize| {
             let text = cells.get(column).and_then(|c| std::str::from_utf8(c.trim_ascii()).ok());
             let found = text.and_then(|t| t.parse::<f64>().ok()).filter(|v| v.is_finite());

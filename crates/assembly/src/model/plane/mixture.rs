@@ -9,6 +9,9 @@ use super::Mirrors;
 use crate::body::{Cell, SquareLattice};
 use std::sync::Arc;
 
+/// Modulus of a neighbour, over that of a point, below which it is of another material.
+const MUCH: f64 = 0.9;
+
 /// Moduli of the points of a lattice over those of the base material.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Mixture {
@@ -36,6 +39,12 @@ impl Mixture {
     /// That of a point.
     pub(in super::super) fn of(&self, point: usize) -> f64 {
         self.factors[point]
+    }
+
+    /// Whether a point is so much softer than another that its strains are not those of that one. Points of a modulus that varies
+    /// smoothly are not, and not by rounding alone: their triangles lie on all sides.
+    pub(in super::super) fn is_softer(&self, point: usize, than: usize) -> bool {
+        self.of(point) < MUCH * self.of(than)
     }
 
     /// Root of the largest over the smallest one.

@@ -59,9 +59,10 @@ impl MixedBonds {
                     if through.factor != 1.0 {
                         found.exceptions.push(Exception { offset, lower, factor: through.factor });
                     }
-                    if through.lacks == [0.0; 2] || absent.contains(&(offset, lower)) {
+                    if absent.contains(&(offset, lower)) {
                         continue;
                     }
+                    // Ends that lack nothing may share unevenly, too.
                     found.uneven.push(class, [lower, upper], through.shares);
                     // Bonds of cells that are not whole count by the smaller part.
                     let part = lattice.fraction(lower).min(lattice.fraction(upper));

@@ -106,9 +106,10 @@ impl Interface {
 
 /// Those of some tetrahedra that have no softer points, if there are such.
 fn stiff(lattice: &SquareLattice, mixture: &Mixture, point: usize, all: Vec<Corners>) -> Vec<Corners> {
-    let (cell, own) = (lattice.cell(point), mixture.of(point));
-    let is_softer =
-        |step: &[i32; 3]| lattice.number(plus(cell, *step)).is_some_and(|other| mixture.of(other) < own);
+    let cell = lattice.cell(point);
+    let is_softer = |step: &[i32; 3]| {
+        lattice.number(plus(cell, *step)).is_some_and(|other| mixture.is_softer(other, point))
+    };
     let stiff: Vec<Corners> = all.iter().copied().filter(|c| !c.iter().any(is_softer)).collect();
     if stiff.is_empty() { all } else { stiff }
 }

@@ -1,6 +1,6 @@
 //! Regions of a plate that are thicker or thinner than the rest, or of another material.
 
-use crate::case::{Case, RegionMaterial};
+use crate::case::{Case, Modulus, RegionMaterial};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::memory;
 use crate::model::Bending;
@@ -50,7 +50,8 @@ pub(super) fn of(
     for (name, given) in &case.materials {
         let path = root("materials").key(name);
         check_keys(given, &path, faults);
-        let keys = base.of_region(given.youngs_modulus, given.poisson_ratio, given.thickness);
+        let modulus = given.youngs_modulus.as_ref().and_then(Modulus::number);
+        let keys = base.of_region(modulus, given.poisson_ratio, given.thickness);
         let parameters = keys.parameters_at(&path, horizon_ratio, faults);
         let own = region(given, ground, &path, faults);
         let (Some(parameters), Some(own)) = (parameters, own) else { continue };

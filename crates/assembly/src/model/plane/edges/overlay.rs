@@ -96,8 +96,8 @@ pub(in super::super) fn triangles_of<
             .all(|(from, to)| !is_cut(lattice, neighbourhood, cuts, from, to))
     });
     if let Some(mixture) = mixture {
-        let own = mixture.of(point);
-        let is_softer = |cell: &Cell| lattice.number(*cell).is_some_and(|other| mixture.of(other) < own);
+        let is_softer =
+            |cell: &Cell| lattice.number(*cell).is_some_and(|other| mixture.is_softer(other, point));
         let stiff: Vec<Corners> = corners.iter().copied().filter(|c| !c.iter().any(is_softer)).collect();
         if !stiff.is_empty() {
             corners = stiff;

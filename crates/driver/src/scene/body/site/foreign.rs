@@ -9,12 +9,13 @@ pub(crate) fn check(case: &Case, faults: &mut Faults) {
         (
             "foundation",
             !case.foundation.is_empty(),
+            "beams, and plates that bend",
             "springs under a region are supports with `ux_spring` or `uy_spring`",
         ),
-        ("links", !case.links.is_empty(), "points that move together are a region under `rigid`"),
+        ("links", !case.links.is_empty(), "beams", "points that move together are a region under `rigid`"),
     ];
-    for (key, _, hint) in keys.iter().filter(|k| k.1) {
-        faults.error(root(key), format!("`{key}` is for beams")).hint(*hint);
+    for (key, _, of, hint) in keys.iter().filter(|k| k.1) {
+        faults.error(root(key), format!("`{key}` is for {of}")).hint(*hint);
     }
     crate::scene::fracture::check(case, faults);
     crate::scene::path::check(case, faults);
