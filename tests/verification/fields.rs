@@ -10,7 +10,7 @@ fn names() -> Vec<String> {
     let schema = serde_json::to_value(schemars::schema_for!(FieldName)).expect("a schema");
     let values = schema["oneOf"].as_array().expect("a list of names");
     let names: Vec<String> = values.iter().map(|v| v["const"].as_str().expect("a name").into()).collect();
-    assert_eq!(names.len(), 72);
+    assert_eq!(names.len(), 75);
     names
 }
 
@@ -23,6 +23,18 @@ struct Model {
     answered: Vec<&'static str>,
     /// Those of them that no table shows.
     hidden: Vec<&'static str>,
+}
+
+impl Model {
+    /// Where a field is asked for: what is along a line at a point of it, what is at its ends at one of these.
+    fn places_of(&self, name: &str) -> Vec<Value> {
+        match name {
+            _ if !self.answered.contains(&name) => self.places.clone(),
+            "reaction_per_length" | "reaction_moment_per_length" => self.places[..1].to_vec(),
+            "corner_force" => vec![json!({ "x": 0, "y": 0 })],
+            _ => self.places.clone(),
+        }
+    }
 }
 
 const STRESSES: [&str; 9] = [
@@ -147,7 +159,9 @@ fn plate() -> Model {
         "loads": [ { "pressure": { "value": 1e-3 } } ]
     });
     let reactions = ["reaction_force", "reaction_moment_x", "reaction_moment_y"];
-    let answered = FieldName::PLATE.iter().map(|field| field.name()).chain(reactions).collect();
+    let along_lines = ["reaction_per_length", "reaction_moment_per_length", "corner_force"];
+    let fields = FieldName::PLATE.iter().map(|field| field.name());
+    let answered = fields.chain(reactions).chain(along_lines).collect();
     let places = vec![json!({ "x": 0, "y": 2 }), json!({ "region": "left" })];
     Model { case, places, answered, hidden: Vec::new() }
 }
@@ -213,7 +227,7 @@ fn lists(refusal: &str, model: &Model) -> bool {
 fn every_field_of_every_model_is_a_number_or_refused_with_those_that_there_are() {
     for model in models() {
         for name in names() {
-            for place in &model.places {
+            for place in model.places_of(&name) {
                 let mut case = model.case.clone();
                 case["probes"] = json!([ { "name": "p", "at": place, "field": name } ]);
                 let told = format!("{name} at {place} of {}", case["title"]);
@@ -234,8 +248,9 @@ fn every_field_of_every_model_is_a_number_or_refused_with_those_that_there_are()
 fn every_field_of_every_model_can_be_checked_at_all_points_or_is_refused_with_those_that_there_are() {
     for model in models() {
         let of_points = |name: &str| {
-            let of_regions =
-                name.starts_with("reaction") || name.starts_with("phi") && model.hidden.contains(&name);
+            let of_regions = name.starts_with("reaction")
+                || name == "corner_force"
+                || name.starts_with("phi") && model.hidden.contains(&name);
             model.answered.contains(&name) && !of_regions
         };
         for name in names() {
