@@ -1,6 +1,6 @@
 //! `run`, `check`, `new`, `list` and `completions`.
 
-use super::support::{Outcome, gallery, json, names, peristat, root, run};
+use super::support::{Outcome, gallery, json, names, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -236,7 +236,7 @@ fn check_says_what_bounds_the_equilibria_of_a_body_that_breaks_or_softens() {
 #[cfg(not(feature = "petsc"))]
 fn a_command_without_petsc_is_not_started_several_times() {
     let start = |count: &str, number: &str| {
-        let mut command = peristat(&root());
+        let mut command = super::support::peristat(&root());
         command.args(["check", "cases/beam/cantilever.json"]);
         command.envs([("OMPI_COMM_WORLD_SIZE", count), ("OMPI_COMM_WORLD_RANK", number)]).output().unwrap()
     };
