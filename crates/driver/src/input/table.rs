@@ -48,7 +48,7 @@ pub fn read(bytes: &[u8], coordinates: usize) -> Result<Table, ReadError> {
         let cells: Vec<&[u8]> = row.split(|b| *b == b',').collect();
         if cells.len() != names.len() {
             let (found, asked) = (cells.len(), names.len());
-            let message = format!("there are {found} numbers in this row, and {asked} columns");
+            let message = format!("cells in this row: {found}, in the header: {asked}");
             return Err(ReadError::at(lines.number(), message).hint("decimals have a point"));
         }
         let number = |column: usize| {
@@ -165,7 +165,9 @@ mod tests {
             ("x,value", "has no rows"),
             ("x,value\n0,a", "no number in column `value`"),
             ("x,value\n0,inf", "no number in column `value`"),
-            ("x,value\n0", "no number in column `value`"),
+            ("x,value\n0", "cells in this row: 1, in the header: 2"),
+            ("x,value\n0,1,5", "cells in this row: 3, in the header: 2"),
+            ("x,value,x\n0,1,2", "several columns `x`"),
             ("x,y,value\n0,0,1\n1,1,1", "has 2 rows, and its grid has 2 × 2 places"),
             ("x,value\n0,1\n0,1", "has 2 rows, and its grid has 1 places"),
             ("x,y,value\n0,0,1\n1,1,1\n0,0,1\n1,1,1", "has 4 rows, and its grid has 2 × 2 places"),
