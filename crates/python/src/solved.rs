@@ -110,7 +110,7 @@ impl Solved {
             let mut writing = Writing::new(scene, Claim::new(&folder, force, None)?);
             states.iter().try_for_each(|state| writing.state(state))?;
             self.curve.iter().try_for_each(|at| writing.advance(at.as_advance(), None))?;
-            writing.finish(summary)
+            writing.finish(&summary.clone().measured())
         };
         let pool = common().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
         py.detach(|| pool.install(write)).map_err(|error| exception(py, &peristat::Error::Io(error)))

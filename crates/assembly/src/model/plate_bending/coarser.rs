@@ -21,10 +21,9 @@ impl PlateBending {
     /// # Errors
     /// [`PlateError`].
     pub fn coarser(&self) -> Result<Self, PlateError> {
-        let cells = Arc::new(self.nodes().cells().coarser());
-        let (coarse, first) = (PlateNodes::new(cells.clone())?, &self.parameters().section);
-        let sections = self.sections().coarser(self.nodes(), &coarse, first);
-        Self::of_sections(cells, *self.parameters(), sections)
+        let coarse = PlateNodes::new(Arc::new(self.nodes().cells().coarser()))?;
+        let sections = self.sections().coarser(self.nodes(), &coarse, &self.parameters().section);
+        Self::on(coarse, *self.parameters(), sections)
     }
 }
 

@@ -46,7 +46,15 @@ impl PlateBending {
         parameters: PlateParameters,
         sections: CellSections,
     ) -> Result<Self, PlateError> {
-        let nodes = PlateNodes::new(cells)?;
+        Self::on(PlateNodes::new(cells)?, parameters, sections)
+    }
+
+    /// The same on points that are there already.
+    pub(super) fn on(
+        nodes: PlateNodes,
+        parameters: PlateParameters,
+        sections: CellSections,
+    ) -> Result<Self, PlateError> {
         let all = [parameters.section].into_iter().chain(sections.others.iter().copied()).enumerate();
         let part = |(number, section): (usize, PlateSection)| {
             let inside = |cell: [i32; 2]| sections.has(&nodes, number, cell);
@@ -115,7 +123,9 @@ impl Model<3> for PlateBending {
     }
 
     fn contrast_of_points(&self) -> f64 {
-        let bending = || self.parts.iter().map(|part| part.parameters.section.bending);
+        // A section that no cell has does not count.
+        let used = || self.parts.iter().filter(|part| part.bonds.elements() > 0);
+        let bending = || used().map(|part| part.parameters.section.bending);
         let largest = bending().fold(0.0, f64::max);
         (largest / bending().fold(largest, f64::min)).sqrt()
     }

@@ -29,8 +29,9 @@ impl PlateBending {
         let n = self.nodes().points();
         let (mut curvature, mut moment) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
         for point in 0..n {
-            let area: f64 = self.sections().about(self.nodes(), point).map(|part| part.1).sum();
-            for (number, part) in self.sections().about(self.nodes(), point) {
+            let about = self.sections().about(self.nodes(), point);
+            let area: f64 = about.iter().map(|part| part.1).sum();
+            for (number, part) in about {
                 let own = self.curvature(u, point, number);
                 let own_moment = self.parts()[number].parameters.section.moments(own);
                 for k in 0..3 {

@@ -19,7 +19,7 @@ impl CellSections {
     }
 
     /// Numbers of the sections of the cells about a point, and the parts of an area h² that these have.
-    pub fn about(&self, nodes: &PlateNodes, point: usize) -> impl Iterator<Item = (usize, f64)> {
+    pub fn about(&self, nodes: &PlateNodes, point: usize) -> Vec<(usize, f64)> {
         let [i, j] = nodes.node(point);
         let mut found: Vec<(usize, f64)> = Vec::with_capacity(4);
         for number in nodes.cells_about([i, j]).filter_map(|cell| self.number(nodes, cell)) {
@@ -28,7 +28,7 @@ impl CellSections {
                 None => found.push((number, 0.25)),
             }
         }
-        found.into_iter()
+        found
     }
 
     /// Those of cells twice as large: each has the section of most of the cells in it, and of the stiffer one of two alike.

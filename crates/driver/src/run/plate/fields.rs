@@ -92,10 +92,17 @@ impl PlateResult {
             Origin::Plate(PlateOrigin::Curvature(k)) => Some(sum(&|p| recovered.curvature[p][k])),
             Origin::Plate(PlateOrigin::Shear(k)) => Some(sum(&|p| recovered.shear[p][k])),
             origin => {
-                let moment = [0, 1, 2].map(|k| sum(&|p| recovered.moment[p][k]));
-                // Of points: on a step those of the thinner side are the larger ones.
-                let of = |p: usize| stresses(recovered.moment[p], self.thickness.at(p));
-                of_moments(origin, moment, [0, 1, 2].map(|k| sum(&|p| of(p)[k])))
+                let (mut moment, mut stress) = ([0.0; 3], [0.0; 3]);
+                for &(point, weight) in weights {
+                    let own = recovered.moment[point as usize];
+                    // Of points: on a step those of the thinner side are the larger ones.
+                    let of_own = stresses(own, self.thickness.at(point as usize));
+                    for k in 0..3 {
+                        moment[k] += weight * own[k];
+                        stress[k] += weight * of_own[k];
+                    }
+                }
+                of_moments(origin, moment, stress)
             }
         }
     }

@@ -17,7 +17,7 @@ impl PlateScene {
     pub fn volume(&self, point: usize) -> f64 {
         let (nodes, area) = (self.plate.nodes(), self.plate.nodes().spacing().powi(2));
         let parts = self.plate.sections().about(nodes, point);
-        parts.map(|(number, part)| part * area * self.thickness.of_sections[number]).sum()
+        parts.iter().map(|&(number, part)| part * area * self.thickness.of_sections[number]).sum()
     }
 
     /// Resultant of forces on some unknowns, by number.

@@ -20,7 +20,7 @@ impl Thickness {
         let of_sections: Vec<f64> = [base].into_iter().chain(others).collect();
         let about = |point: usize| {
             let numbers = plate.sections().about(plate.nodes(), point);
-            numbers.map(|(number, _)| of_sections[number]).fold(f64::INFINITY, f64::min)
+            numbers.iter().map(|&(number, _)| of_sections[number]).fold(f64::INFINITY, f64::min)
         };
         let points = if materials.is_empty() { 0 } else { plate.nodes().points() };
         let of_points = (0..points).map(about).collect();
