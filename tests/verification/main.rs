@@ -23,6 +23,7 @@ mod definiteness;
 mod drawn_outlines;
 mod ductile;
 mod edges_cost;
+mod eigenstrain;
 mod equation_12;
 mod estimate_doubts;
 mod estimates;

@@ -187,7 +187,7 @@ pub enum Load {
     Line(LineLoad),
     /// A change of temperature.
     Temperature(Temperature),
-    /// A strain that a line or member has from the beginning.
+    /// A strain that a line, a member or a region of a body has from the beginning.
     InitialStrain(InitialStrain),
 }
 

@@ -35,7 +35,8 @@ impl Load {
             Self::Distributed(load) => load.forces().any(
                 |(_, force)| matches!(force, Some(DistributedForce::Formula(text)) if knows_load_factor(text)),
             ),
-            Self::Point(_) | Self::Gravity(_) | Self::Spin(_) | Self::InitialStrain(_) => false,
+            Self::InitialStrain(load) => any(&load.components().map(|(_, amount)| amount)),
+            Self::Point(_) | Self::Gravity(_) | Self::Spin(_) => false,
         }
     }
 }

@@ -178,8 +178,8 @@ pub trait Material: Debug + Send + Sync {
         false
     }
 
-    /// Why it feels no change of temperature, where it does not.
-    fn feels_no_heat(&self) -> Option<&'static str> {
+    /// Why strains that need no stress in it would have some all the same, where they would.
+    fn resists_eigenstrain(&self) -> Option<&'static str> {
         None
     }
 

@@ -75,8 +75,8 @@ impl Material for ShearBonds {
         Ok(AnyBody::One(Box::new(body)))
     }
 
-    fn feels_no_heat(&self) -> Option<&'static str> {
-        Some("points that move across the plane only feel no temperature")
+    fn resists_eigenstrain(&self) -> Option<&'static str> {
+        Some("points that move across the plane only have no strain that needs no stress")
     }
 
     fn strain_row(&self, axis: usize) -> [f64; 3] {

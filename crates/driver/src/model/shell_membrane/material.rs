@@ -69,10 +69,10 @@ impl Material for ShellBonds {
         ShellMembrane::has_border(&self.parameters, real)
     }
 
-    fn feels_no_heat(&self) -> Option<&'static str> {
-        self.keys.bending.then_some(
-            "a shell that resists bending takes no `temperature`: it would resist its own widening",
-        )
+    fn resists_eigenstrain(&self) -> Option<&'static str> {
+        self.keys
+            .bending
+            .then_some("a shell that resists bending would resist a strain that needs no stress, too")
     }
 
     fn strain_row(&self, axis: usize) -> [f64; 3] {

@@ -185,10 +185,9 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         Ok(AnyBody::Three(Box::new(Solid::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?)))
     }
 
-    fn feels_no_heat(&self) -> Option<&'static str> {
-        (P::HAS_FAMILIES && !self.edges().is_exact()).then_some(
-            "families that faces leave incomplete take no `temperature`: they would stretch themselves",
-        )
+    fn resists_eigenstrain(&self) -> Option<&'static str> {
+        (P::HAS_FAMILIES && !self.edges().is_exact())
+            .then_some("families that faces leave incomplete would resist a strain that needs no stress")
     }
 
     fn strain_row(&self, _axis: usize) -> [f64; 3] {

@@ -120,11 +120,10 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         !matches!(self.parameters.geometry, Geometry::PlaneStress(_))
     }
 
-    fn feels_no_heat(&self) -> Option<&'static str> {
+    fn resists_eigenstrain(&self) -> Option<&'static str> {
         let is_complete = calibration(self.parameters.edges) == Calibration::Matched;
-        (!is_complete).then_some(
-            "families that edges leave incomplete take no `temperature`: they would stretch themselves",
-        )
+        (!is_complete)
+            .then_some("families that edges leave incomplete would resist a strain that needs no stress")
     }
 
     fn strain_row(&self, axis: usize) -> [f64; 3] {

@@ -1,13 +1,13 @@
 //! Results of one state of a body in the plane.
 
-use super::heat::HeatStress;
+use super::eigenstrain::EigenStress;
 use super::modes;
 use super::of_stress::{Medium, component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, Has, Heat, HoleRing, Intensity, Says, of_points};
+use crate::scene::body::{BodyScene, Eigenstrain, Has, HoleRing, Intensity, Says, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::HoleFit;
@@ -26,22 +26,26 @@ pub struct Recovered {
     /// Cut share of the family of every point; none without cracks.
     pub damage: Option<Vec<f64>>,
     /// What strains that need no stress would have.
-    pub heat: Option<Box<HeatStress>>,
+    pub eigenstrain: Option<Box<EigenStress>>,
 }
 
 impl Recovered {
     /// What is recovered of displacements, with strains of the state that need no stress.
-    fn new((scene, model): (&BodyScene, &dyn BodyModel), heat: Option<&Heat>, u: &[f64]) -> Self {
+    fn new(
+        (scene, model): (&BodyScene, &dyn BodyModel),
+        eigenstrain: Option<&Eigenstrain>,
+        u: &[f64],
+    ) -> Self {
         let fields = model.recover(u);
         let mut found = Self {
             stress: fields.stress,
             across: fields.across,
             energy_density: fields.energy_density,
             damage: scene.is_damaged().then(|| model.damage()),
-            heat: None,
+            eigenstrain: None,
         };
-        if let Some(heat) = heat {
-            found.take_off(heat, scene.material().cylinder_radius(), model);
+        if let Some(own) = eigenstrain {
+            found.take_off(own, scene.material().cylinder_radius(), model);
         }
         found.fill_images(scene);
         found
@@ -61,8 +65,8 @@ impl Recovered {
             false => sum(&self.across),
         };
         let is_strain = matches!(origin, Origin::Strain(..) | Origin::FibreStrain(_));
-        let (stress, across) = match &self.heat {
-            Some(heat) if is_strain => heat.add_to(sum, (stress, across)),
+        let (stress, across) = match &self.eigenstrain {
+            Some(own) if is_strain => own.add_to(sum, (stress, across)),
             _ => (stress, across),
         };
         of_stress(origin, medium, (point, stress), across)
@@ -169,17 +173,17 @@ impl BodyResult {
             true => (&scene.states[0], record.load_factor),
             false => (&scene.states[record.index], 1.0),
         };
-        let heat = scene.heat(state);
+        let eigenstrain = scene.eigenstrain(state);
         let mut recovered = None;
-        if recover || heat.is_some() {
-            recovered = Some(Recovered::new((scene, model), heat.as_ref(), &record.u));
+        if recover || eigenstrain.is_some() {
+            recovered = Some(Recovered::new((scene, model), eigenstrain.as_ref(), &record.u));
         }
-        if let (Some(_), Some(recovered)) = (&heat, &recovered) {
+        if let (Some(_), Some(recovered)) = (&eigenstrain, &recovered) {
             record.certificate.energy = recovered.energy(model);
         }
         let recovered = recovered.filter(|_| recover);
-        // What heat does to a body and its images is no load: the body stretches itself.
-        let stretching = heat.map(|heat| heat.load(model, load.len()));
+        // What stretches a body and its images without stress is no load: the body stretches itself.
+        let stretching = eigenstrain.map(|own| own.load(model, load.len()));
         let others: Option<Vec<f64>> =
             stretching.as_ref().map(|own| load.iter().zip(own).map(|(all, own)| all - own).collect());
         let taken = scene.into_mirrors(state, factor);
@@ -233,7 +237,7 @@ impl BodyResult {
             },
             Origin::Energy => &recovered?.energy_density,
             Origin::Damage => recovered?.damage.as_ref()?,
-            Origin::Temperature => &recovered?.heat.as_ref()?.change,
+            Origin::Temperature => &recovered?.eigenstrain.as_ref()?.change,
             Origin::Strain(..)
             | Origin::VonMises
             | Origin::Principal(_)

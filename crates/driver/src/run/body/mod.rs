@@ -3,12 +3,12 @@
 
 mod crack_front;
 mod cubes;
+mod eigenstrain;
 mod failure;
 mod fields;
 mod fracture;
 mod gradient;
 mod grips;
-mod heat;
 mod hole_fits;
 mod intensity;
 mod layers;

@@ -151,5 +151,11 @@ fn recovered(
     // What cracks have cut from the start is no bond any more.
     let cut = model.damage();
     let damage = bonds.damage().into_iter().zip(cut).map(|(d, cut)| cut + (1.0 - cut) * d).collect();
-    Recovered { stress: stress.into(), across: Vec::new(), energy_density, damage: Some(damage), heat: None }
+    Recovered {
+        stress: stress.into(),
+        across: Vec::new(),
+        energy_density,
+        damage: Some(damage),
+        eigenstrain: None,
+    }
 }

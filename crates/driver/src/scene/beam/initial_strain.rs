@@ -31,6 +31,16 @@ pub(super) fn add(
     if case.fracture.is_some() {
         faults.error(path.clone(), "beams that break have no `initial_strain`").hint("remove `fracture`");
     }
+    for (key, _) in load.components().into_iter().filter(|(_, amount)| amount.is_some()) {
+        faults
+            .error(path.key(key), format!("`{key}` is a component of the strain of bodies"))
+            .hint("a line or member has a `strain` of its axis and a `curvature`");
+    }
+    if load.region.is_some() {
+        faults
+            .error(path.key("region"), "lines and members have no regions")
+            .hint("of a frame name the `member`");
+    }
     let given = GivenExtent { member: load.member.as_deref(), from: None, to: None };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
     let stretched = [("strain", load.strain), ("length", load.length), ("force", load.force)];

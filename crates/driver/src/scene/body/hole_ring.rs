@@ -48,7 +48,7 @@ impl HoleRing {
             return Vec::new();
         };
         // Stretched unevenly by heat, a body has other fields.
-        if scene.load_cases.iter().any(|loads| loads.heat.is_some()) {
+        if scene.load_cases.iter().any(|loads| loads.eigenstrain.is_some()) {
             return Vec::new();
         }
         let asked = |ellipse: &Ellipse| {

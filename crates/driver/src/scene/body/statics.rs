@@ -2,8 +2,8 @@
 
 use super::scene::{BodyScene, BodyState};
 use crate::model::Material;
+use crate::scene::body::load::eigenstrain::Eigenstrain;
 use crate::scene::body::load::sums::Forces;
-use crate::scene::body::load::temperature::Heat;
 use crate::scene::{ASKED, Counted, Resultant};
 use peristat_assembly::model::BodyModel;
 
@@ -44,11 +44,12 @@ impl BodyScene {
     }
 
     /// Strains of a state that need no stress.
-    pub fn heat(&self, state: &BodyState) -> Option<Heat> {
-        let of_case = |&(case, factor): &(usize, f64)| Some((self.load_cases[case].heat.as_ref()?, factor));
+    pub fn eigenstrain(&self, state: &BodyState) -> Option<Eigenstrain> {
+        let of_case =
+            |&(case, factor): &(usize, f64)| Some((self.load_cases[case].eigenstrain.as_ref()?, factor));
         let mut terms = state.terms.iter().filter_map(of_case);
         let (first, factor) = terms.next()?;
-        Some(terms.fold(first.clone().times(factor), |sum, (heat, factor)| sum.plus(factor, heat)))
+        Some(terms.fold(first.clone().times(factor), |sum, (own, factor)| sum.plus(factor, own)))
     }
 
     /// What the loads of a state on images do to lines of symmetry at once, by images: a border moves with points on both sides of

@@ -3,7 +3,7 @@
 use super::context::LoadContext;
 use super::sums::BodyLoads;
 use super::traction::{add, on_wall, resolve};
-use super::{asked, body_force, mass, point_load, pressure, temperature};
+use super::{asked, body_force, initial_strain, mass, point_load, pressure, temperature};
 use crate::case::Load;
 use crate::diagnostic::{Faults, root};
 use crate::scene::body::site::ground::Ground;
@@ -44,10 +44,8 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                 }
                 // Refused with the other keys of plates in bending.
                 Load::Line(_) => {}
-                Load::InitialStrain(_) => {
-                    faults
-                        .error(path.key("initial_strain"), "an `initial_strain` is for lines and members")
-                        .hint("in a body a `temperature` with a `thermal_expansion` stretches a region without stress");
+                Load::InitialStrain(load) => {
+                    initial_strain::resolve(load, context, &path.key("initial_strain"), &mut resolved, faults)
                 }
                 Load::Distributed(_) => {
                     faults

@@ -3,6 +3,8 @@
 pub(crate) mod asked;
 pub(crate) mod body_force;
 pub(crate) mod context;
+pub(crate) mod eigenstrain;
+mod initial_strain;
 pub(crate) mod joined_sides;
 pub(crate) mod load_cases;
 mod mass;

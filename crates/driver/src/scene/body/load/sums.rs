@@ -1,7 +1,7 @@
 //! The loads of a body in the plane as forces and stresses on its points.
 
+use super::eigenstrain::Eigenstrain;
 use super::stress_field::StressField;
-use super::temperature::Heat;
 use crate::scene::Resultant;
 use peristat_assembly::model::BodyModel;
 
@@ -26,7 +26,7 @@ pub struct BodyLoads {
     /// Stresses that act by the rows of the bonds.
     pub(crate) stresses: Vec<StressField>,
     /// Strains that need no stress, by numbers of the model from the start.
-    pub(crate) heat: Option<Heat>,
+    pub(crate) eigenstrain: Option<Eigenstrain>,
     /// Whether formulas give forces on a border.
     pub(crate) by_formula: bool,
     /// Whether these carry the forces through joined sides.
@@ -55,6 +55,14 @@ impl BodyLoads {
         self
     }
 
+    /// Adds strains that need no stress.
+    pub(super) fn stretch(&mut self, more: Eigenstrain) {
+        self.eigenstrain = Some(match self.eigenstrain.take() {
+            Some(own) => own.plus(1.0, &more),
+            None => more,
+        });
+    }
+
     /// Whether the forces are numbers.
     pub(crate) fn is_finite(&self) -> bool {
         let all = self.forces.iter().chain(&self.through_border);
@@ -69,7 +77,7 @@ impl BodyLoads {
             && self.density == [0.0; 3]
             && self.spin == 0.0
             && self.stresses.is_empty()
-            && self.heat.is_none()
+            && self.eigenstrain.is_none()
     }
 
     /// Adds the loads times a factor to `force`, N, one plane per unknown; moments per length by which rotations are
@@ -97,6 +105,6 @@ impl BodyLoads {
             }
         }
         self.stresses.iter().for_each(|field| field.add_to(model, factor, force));
-        self.heat.iter().for_each(|heat| heat.add_to(model, factor, force));
+        self.eigenstrain.iter().for_each(|own| own.add_to(model, factor, force));
     }
 }
