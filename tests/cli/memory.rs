@@ -51,14 +51,29 @@ fn the_estimate_is_between_one_and_three_times_what_a_run_takes() {
             ("/loads/0", json!({ "point": { "at": { "joint": "C" }, "force_y": 1000.0 } })),
         ]
     };
-    // Measured 1.1 to 1.3; with up to a million cells 1.1 to 2.0.
-    let cases: [(&str, usize, Keys); 6] = [
+    let solid = |model: Value| {
+        let case = json!({
+            "title": "test", "model": model, "solver": "sparse", "horizon_ratio": 2,
+            "body": { "block": { "size": [12, 12, 12], "spacing": 1 } },
+            "supports": [{ "at": { "region": "left" }, "ux": 0, "uy": 0, "uz": 0 }],
+            "loads": [{ "traction": { "face": "right", "total": [1, 0, 0] } }]
+        });
+        vec![("", case)]
+    };
+    // Measured 1.1 to 1.8; of beams with up to a million cells 1.1 to 2.0.
+    let cases: [(&str, usize, Keys); 8] = [
         ("uniform, in strains", 60_000, vec![]),
         ("uniform, as a band", 60_000, vec![solver("band")]),
         ("varying", 30_000, vec![varying()]),
         ("varying, far neighbours", 8_000, vec![varying(), ("/horizon_ratio", json!(30))]),
         ("graded, as a band", 30_000, vec![graded(), solver("band")]),
         ("a frame", 1, frame().into()),
+        ("a solid of bonds, factored", 1, solid(json!({ "bond_solid": { "youngs_modulus": 1e3 } }))),
+        (
+            "a solid of families, factored",
+            1,
+            solid(json!({ "state_solid": { "youngs_modulus": 1e3, "poisson_ratio": 0.3 } })),
+        ),
     ];
     for (name, cells, extra) in cases {
         let [estimated, taken] = memory(folder.path(), cells, &extra);

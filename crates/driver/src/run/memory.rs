@@ -31,9 +31,11 @@ pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) 
     let (sizes, unknowns) = (problem.model().sizes(), D * problem.model().points());
     let fields = fields(problem, recover);
     let solving = match method::plan(problem) {
-        Plan::Factor => 8 * VECTORS * unknowns + matrix(problem, &sizes),
-        Plan::Cycle => problem.solid_bytes().unwrap_or(CYCLE * problem.model().points()),
-        Plan::Blocks => problem.solid_bytes().unwrap_or(BLOCKS * problem.model().points()),
+        Plan::Factor => {
+            8 * VECTORS * unknowns + problem.solid_bytes(true).unwrap_or_else(|| matrix(problem, &sizes))
+        }
+        Plan::Cycle => problem.solid_bytes(false).unwrap_or(CYCLE * problem.model().points()),
+        Plan::Blocks => problem.solid_bytes(false).unwrap_or(BLOCKS * problem.model().points()),
     };
     // The last state is recorded without the factor, unless it may not be the last.
     total(

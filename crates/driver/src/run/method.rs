@@ -80,7 +80,7 @@ pub(super) enum Plan {
 /// faster than a factor on squares of 1600 points already, about the smallest that have a coarser lattice.
 pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
     let points = problem.model().points();
-    let is_solid = problem.solid_bytes().is_some();
+    let is_solid = problem.solid_bytes(false).is_some();
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
     match (problem.solver(), problem.spread()) {
         (_, Spread::Chain) => Plan::Factor,

@@ -51,8 +51,8 @@ pub trait Problem<const D: usize> {
         TOO_MANY_POINTS
     }
 
-    /// Memory that a solid takes which is solved by iterations, bytes; none of other bodies.
-    fn solid_bytes(&self) -> Option<usize> {
+    /// Memory that a solid on a lattice takes, bytes, with its factor or solved by iterations; none of other bodies.
+    fn solid_bytes(&self, _with_factor: bool) -> Option<usize> {
         None
     }
 

@@ -100,8 +100,11 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         }
     }
 
-    fn solid_bytes(&self) -> Option<usize> {
+    fn solid_bytes(&self, with_factor: bool) -> Option<usize> {
         let (lattice, _) = self.model.lattice().filter(|(lattice, _)| !lattice.is_plane())?;
+        if with_factor {
+            return Some(solid_memory::of_factor(lattice, &self.scene.material().about()));
+        }
         let has_fronts = !self.scene.intensities.is_empty();
         Some(solid_memory::of(lattice, &self.scene.material().about(), has_fronts))
     }

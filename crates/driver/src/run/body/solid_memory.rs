@@ -1,6 +1,6 @@
-//! How much memory a solid takes that is solved by iterations.
+//! How much memory a solid takes.
 //!
-//! Measured on cubes of 4096 to 262 144 points and bars of 8:1 with horizons of two to four spacings: the estimate is 1.0 to 1.9 times what
+//! Solved by iterations: measured on cubes of 4096 to 262 144 points and bars of 8:1 with horizons of two to four spacings: the estimate is 1.0 to 1.9 times what
 //! a run takes.
 
 use crate::model::About;
@@ -19,7 +19,32 @@ const WITH_CRACK_FRONTS: f64 = 1.45;
 /// Points of a coarsest lattice per length of a bar over its width.
 const COARSEST_POINTS: usize = 600;
 
-/// Memory of a solid on a lattice, images included, bytes; `has_fronts` if stress intensities are asked for.
+/// Entries of a factor over `9 m² P^(4/3)` with P points: what separates half of a cube from the other is m layers of `P^(2/3)`.
+const FILL: f64 = 5.0;
+/// Of an entry of a factor and what it is made from, bytes.
+const ENTRY: f64 = 16.0;
+/// Of a neighbour of a point in the stiffness, as it is put together, bytes.
+const NEIGHBOUR: f64 = 80.0;
+/// Horizons to which families couple a point, and what fills up as if bonds were as long.
+const FAMILIES: [f64; 2] = [2.0, 1.4];
+
+/// Memory of the stiffness of a solid on a lattice and of its factor, bytes. Measured on cubes of 512 to 4096 points, bars of 8:1 and
+/// plates of three and four layers, horizons of two and three spacings, bonds and families: the estimate is 1.1 to 1.8 times what a run
+/// takes.
+pub(super) fn of_factor(lattice: &SquareLattice, about: &About) -> usize {
+    let mut sides = [lattice.columns().len(), lattice.rows().len(), lattice.layers().len()];
+    sides.sort_unstable();
+    let (points, section) = (lattice.points() as f64, (sides[0] * sides[1]) as f64);
+    let [couples, fills] = if about.has_families { FAMILIES } else { [1.0; 2] };
+    let reach = fills * about.horizon_ratio;
+    let dissected = FILL * (reach * points.powf(2.0 / 3.0)).powi(2);
+    let banded = points * (reach + 1.0) * section;
+    let entries = 9.0 * dissected.min(banded).min(0.5 * points * points);
+    let ball = 4.0 / 3.0 * std::f64::consts::PI * (couples * about.horizon_ratio).powi(3);
+    (ENTRY * entries + NEIGHBOUR * ball.min(points) * points) as usize
+}
+
+/// Memory of a solid on a lattice solved by iterations, images included, bytes; `has_fronts` if stress intensities are asked for.
 pub(super) fn of(lattice: &SquareLattice, about: &About, has_fronts: bool) -> usize {
     let mut sides = [lattice.columns().len(), lattice.rows().len(), lattice.layers().len()];
     let [a, b, c] = sides;
