@@ -25,6 +25,7 @@
 //! Signs: w and pressure are positive alike, along z; `φ = ∇w` where shear is rigid; `M = D [(1 − ν) κ + ν tr(κ) I]` with
 //! `κ = sym ∇φ`; `V = S (∇w − φ)`; `div M + V = 0`, `div V + q = 0`.
 
+mod bed;
 mod bond;
 mod coarser;
 mod cover;
@@ -41,6 +42,7 @@ mod sections;
 mod tests;
 mod weights;
 
+pub use bed::Bed;
 pub use bond::PlateBond;
 pub use coarser::PlateTransfer;
 pub use error::PlateError;

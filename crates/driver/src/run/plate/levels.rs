@@ -109,10 +109,12 @@ impl Conditions {
         Self { equations, springs: self.coarser_springs(transfer) }
     }
 
-    /// Springs shared by the coarse points around theirs.
+    /// Springs shared by the coarse points around theirs; what a bed does to rotations at its edge is left to finer lattices.
     fn coarser_springs(&self, transfer: &PlateTransfer) -> Vec<Spring> {
         let mut sums: BTreeMap<(usize, usize), f64> = BTreeMap::new();
-        for (spring, (component, stiffness)) in self.springs.iter().filter_map(|s| Some((s, s.single()?))) {
+        for spring in &self.springs {
+            let [(component, _), _] = spring.shares;
+            let stiffness = spring.stiffness;
             for (point, share) in transfer.shares(spring.point) {
                 *sums.entry((component, point)).or_default() += share * stiffness;
             }

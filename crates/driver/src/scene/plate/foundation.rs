@@ -4,35 +4,40 @@ use super::site::Site;
 use crate::case::{Amount, BedStiffness};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::scene::prescribed::Prescribed;
-use peristat_assembly::model::plate_bending::W;
+use peristat_assembly::model::plate_bending::{Bed, EdgeSegment};
 use peristat_assembly::stiffness::Spring;
 
-/// Springs under all points: their areas times the stiffness there.
+/// Springs under all points. The bed goes on behind lines of symmetry, which are no edges.
 pub(super) fn springs(site: &Site, faults: &mut Faults) -> Vec<Spring> {
+    if site.case.foundation.is_empty() {
+        return Vec::new();
+    }
     let mut stiffness = vec![0.0; site.nodes.points()];
-    for (k, bed) in site.case.foundation.iter().enumerate() {
+    let mirrors: Vec<_> = site.case.symmetry.iter().filter_map(|name| site.sides(name)).flatten().collect();
+    let is_mirror = |segment: &EdgeSegment| mirrors.iter().any(|side| side.segment == *segment);
+    let bed = Bed::new(site.nodes, site.nodes.edges().into_iter().filter(|segment| !is_mirror(segment)));
+    for (k, given) in site.case.foundation.iter().enumerate() {
         let path = root("foundation").index(k);
         let keys = [
-            ("member", bed.member.is_some()),
-            ("from", bed.from.is_some()),
-            ("to", bed.to.is_some()),
-            ("only", bed.only.is_some()),
+            ("member", given.member.is_some()),
+            ("from", given.from.is_some()),
+            ("to", given.to.is_some()),
+            ("only", given.only.is_some()),
         ];
         for (key, _) in keys.iter().filter(|key| key.1) {
             faults
                 .error(path.key(*key), format!("`{key}` is for foundations of beams"))
                 .hint("the foundation of a plate is under all of it, and pushes and pulls");
         }
-        if let Some(own) = stiffness_of(&bed.stiffness, site, &path.key("stiffness"), faults) {
+        if let Some(own) = stiffness_of(&given.stiffness, &bed, &path.key("stiffness"), faults) {
             stiffness.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
         }
     }
-    let acting = stiffness.into_iter().enumerate().filter(|(_, value)| *value > 0.0);
-    acting.map(|(p, value)| Spring::on(W, p, value * site.nodes.area(p))).collect()
+    bed.springs(&stiffness)
 }
 
 /// Force per area and deflection at every point.
-fn stiffness_of(given: &BedStiffness, site: &Site, path: &JsonPath, faults: &mut Faults) -> Option<Vec<f64>> {
+fn stiffness_of(given: &BedStiffness, bed: &Bed, path: &JsonPath, faults: &mut Faults) -> Option<Vec<f64>> {
     let (given, path) = match given {
         BedStiffness::Uniform(value) => (Amount::Number(*value), path.key("uniform")),
         BedStiffness::Formula(text) => (Amount::Formula(text.clone()), path.key("formula")),
@@ -47,7 +52,7 @@ fn stiffness_of(given: &BedStiffness, site: &Site, path: &JsonPath, faults: &mut
     };
     let given = Prescribed::new(&given, (2, None), &path, faults)?;
     let at = |p: usize| {
-        let [x, y] = site.nodes.place(p);
+        let [x, y] = bed.place(p);
         let value = given.at([x, y, 0.0])?;
         let place = match given {
             Prescribed::Number(_) => String::new(),
@@ -57,7 +62,7 @@ fn stiffness_of(given: &BedStiffness, site: &Site, path: &JsonPath, faults: &mut
             format!("the stiffness of a foundation must not be negative, found {}{place}", tidy(value));
         if value < 0.0 { Err(message) } else { Ok(value) }
     };
-    let values: Result<Vec<f64>, String> = (0..site.nodes.points()).map(at).collect();
+    let values: Result<Vec<f64>, String> = (0..bed.points()).map(at).collect();
     let refuse = |reason| {
         faults.error(path, reason);
     };

@@ -4,7 +4,7 @@ use super::body::holed;
 use super::{
     Held, Solver, assert_close, deflection, fixed, line, lumped, parameters, pressure, solve, square,
 };
-use crate::model::plate_bending::{PlateParameters, ShearLaw};
+use crate::model::plate_bending::{Bed, PlateParameters, ShearLaw};
 use crate::stiffness::Spring;
 use std::f64::consts::PI;
 
@@ -117,5 +117,19 @@ fn a_square_on_a_foundation_under_a_sine() {
         }
         let u = Solver::new(&plate, springs, &fixed(&plate, Held::HardSupports)).solve(&load);
         assert_close(deflection(&plate, &u, MIDDLE), expected, 1e-9);
+    }
+}
+
+/// A free plate with a hole under a uniform pressure on a uniform bed: it sinks by `q/k` evenly.
+#[test]
+fn free_plates_sink_evenly_on_a_uniform_bed() {
+    for (m, t, bed) in [(1.5, 0.2, 1e2), (1.5, 1e-3, 1e5), (3.0, 0.05, 1e3)] {
+        let plate = holed(parameters(m, t));
+        let n = plate.nodes().points();
+        let springs = Bed::new(plate.nodes(), plate.nodes().edges()).springs(&vec![bed; n]);
+        let u = Solver::new(&plate, springs, &[]).solve(&pressure(&plate));
+        let off = (0..n).map(|p| (u[p] * bed - 1.0).abs()).fold(0.0, f64::max);
+        // 2e-13 is found.
+        assert!(off < 1e-11, "{m}, {t}: {off:e}");
     }
 }
