@@ -2,6 +2,7 @@
 
 use peristat::case;
 use peristat::diagnostic::decode;
+use peristat::input::Folder;
 use peristat::input::{drawing, gmsh, points, solid};
 use peristat::scene::Scene;
 use peristat_assembly::body::Surface;
@@ -12,7 +13,8 @@ const MEMORY: u64 = 300_000;
 
 /// Whether bytes are a case that could be solved.
 pub(crate) fn resolves(bytes: Vec<u8>) -> bool {
-    let source = decode("case", bytes).and_then(|text| case::from_text("case", text, &[]));
+    let source =
+        decode("case", bytes).and_then(|text| case::from_text("case", text, &[], &Folder::default()));
     let scene = source.and_then(|s| Scene::new(s.case, Path::new("nowhere"), "case", &s.text, Some(MEMORY)));
     scene.map_err(|report| report.render(false)).is_ok()
 }

@@ -76,9 +76,10 @@ fn null(value: &Value, place: &str) -> Option<String> {
 
 /// Reads, builds and solves a case; whether it has a result.
 fn solve(bytes: Vec<u8>, folder: &Path, output: Option<&Path>) -> bool {
-    let source = decode("case", bytes).and_then(|text| case::from_text("case", text, &[]));
+    let folder = Folder::new(folder, Reach::Inside);
+    let source = decode("case", bytes).and_then(|text| case::from_text("case", text, &[], &folder));
     let Ok(source) = source.map_err(|report| report.render(false)) else { return false };
-    let loaded = Loaded::from_source(source, Folder::new(folder, Reach::Inside), Some(MEMORY));
+    let loaded = Loaded::from_source(source, folder, Some(MEMORY));
     let Ok(loaded) = loaded.map_err(|error| error.to_string()) else { return false };
     let mut sink = Checking { scene: &loaded.scene, folder: output, results: None };
     let options = RunOptions { recover: true, max_memory: Some(MEMORY), compare: true };

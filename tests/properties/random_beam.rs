@@ -1,6 +1,7 @@
 //! Random beams as case files, and what can be done to them: other units, the mirror image, their parts.
 
 use peristat::case::from_text;
+use peristat::input::Folder;
 use peristat::run::beam::{self, BeamResult};
 use peristat::run::{RunOptions, RunReport};
 use peristat::scene::Scene;
@@ -206,7 +207,8 @@ impl Beam {
 
 /// Solves a case.
 pub(crate) fn run(case: &Value) -> (Vec<BeamResult>, RunReport) {
-    let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|e| panic!("{e}"));
+    let source =
+        from_text("case", case.to_string(), &[], &Folder::default()).unwrap_or_else(|e| panic!("{e}"));
     let scene =
         Scene::new(source.case, Path::new("."), "case", &source.text, None).unwrap_or_else(|e| panic!("{e}"));
     let scene = scene.into_beam().expect("a beam");

@@ -2,7 +2,7 @@
 
 use super::support::{files, gallery, load, root, short, try_solve};
 use peristat::case::read;
-use peristat::input::Reach;
+use peristat::input::{Folder, Reach};
 use peristat::study::{Findings, Plan, Record};
 use peristat::summary::{Status, Summary};
 use std::path::{Path, PathBuf};
@@ -35,7 +35,8 @@ fn faults(summary: &Summary) -> Vec<String> {
 
 /// Cases that a thread begins with: one alone takes as long as most of the others together.
 fn takes_long(case: &Path) -> bool {
-    short(case).starts_with("cases/bench/") || read(case, &[], None).is_ok_and(|source| source.case.slow)
+    short(case).starts_with("cases/bench/")
+        || read(case, &[], &Folder::of(case, Reach::Inside), None).is_ok_and(|source| source.case.slow)
 }
 
 /// Failures of all cases, each solved by whichever thread is free.

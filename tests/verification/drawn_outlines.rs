@@ -1,6 +1,7 @@
 //! Outlines from meshes and drawings, arcs, and several edges at once: bodies that are drawn are those that are written.
 
 use peristat::case;
+use peristat::input::Folder;
 use peristat::run::RunOptions;
 use peristat::scene::{BodyScene, Scene};
 use peristat::summary::Forces;
@@ -14,8 +15,8 @@ use std::path::Path;
 fn solved(case: &Value, (name, text): (&str, &str)) -> Solved {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join(name), text).expect("a file");
-    let source =
-        case::from_text("case", case.to_string(), &[]).unwrap_or_else(|r| panic!("{}", r.render(false)));
+    let source = case::from_text("case", case.to_string(), &[], &Folder::default())
+        .unwrap_or_else(|r| panic!("{}", r.render(false)));
     let loaded =
         Loaded::from_source(source, folder.path().into(), None).unwrap_or_else(|error| panic!("{error}"));
     let options = RunOptions { recover: true, max_memory: None, compare: false };
@@ -31,7 +32,7 @@ fn values(found: &Solved) -> Vec<f64> {
 }
 
 fn scene(case: &Value) -> BodyScene {
-    let source = case::from_text("case", case.to_string(), &[]).expect("a case");
+    let source = case::from_text("case", case.to_string(), &[], &Folder::default()).expect("a case");
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
     scene.unwrap_or_else(|error| panic!("{error}")).into_body().expect("a body in the plane")
 }

@@ -4,6 +4,7 @@
 
 use crate::support;
 use peristat::case::from_text;
+use peristat::input::Folder;
 use peristat::run::{RunOptions, taking};
 use peristat::summary::{Estimates, Grids, Summary};
 use peristat::{Loaded, run};
@@ -17,7 +18,8 @@ const BENDING: f64 = 100.0;
 const SHEAR: f64 = 1e6;
 
 fn load(case: &Value) -> Loaded {
-    let source = from_text("case", format!("{case:#}"), &[]).unwrap_or_else(|error| panic!("{error}"));
+    let source = from_text("case", format!("{case:#}"), &[], &Folder::default())
+        .unwrap_or_else(|error| panic!("{error}"));
     Loaded::from_source(source, Path::new(".").into(), None).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -1,6 +1,7 @@
 //! Loads and motions by formulas of the load factor: every step is the case with its number in their place.
 
 use crate::support::plane::refusal;
+use peristat::input::Folder;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -145,7 +146,8 @@ fn loads_of_beams_and_of_plates_in_bending_follow_formulas_of_the_load_factor() 
 fn operators_know_the_motions_of_every_step() {
     let mut case = plate();
     case["steps"] = json!({ "load_factors": FACTORS });
-    let source = peristat::case::from_text("case", format!("{case:#}"), &[]).expect("a case");
+    let source =
+        peristat::case::from_text("case", format!("{case:#}"), &[], &Folder::default()).expect("a case");
     let loaded = peristat::Loaded::from_source(source, Path::new(".").into(), None).expect("a scene");
     let operator = peristat::Operator::new(&loaded, None).expect("no contradiction");
     let run = solved(&case);

@@ -1,5 +1,6 @@
 //! What is reported of bodies in the plane after the solve: reactions, forces of mirrors, stress intensities, what was spared.
 
+use peristat::input::Folder;
 use peristat::run::body::BodyResult;
 use peristat::run::{RunOptions, RunReport, StateResult, taking};
 use peristat::scene::Scene;
@@ -20,7 +21,8 @@ fn solve(case: &Value) -> (Summary, BodyResult) {
 /// Solves a case without fields that nobody asks for.
 fn report(case: &Value) -> (RunReport, Vec<BodyResult>) {
     let text = format!("{case:#}");
-    let source = peristat::case::from_text("case", text.clone(), &[]).expect("a case that can be solved");
+    let source = peristat::case::from_text("case", text.clone(), &[], &Folder::default())
+        .expect("a case that can be solved");
     let scene =
         Scene::new(source.case, Path::new("."), "case", &text, None).expect("a case that can be solved");
     let mut results = Vec::new();

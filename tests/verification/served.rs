@@ -1,5 +1,6 @@
 //! What a program reads from a solved case by name is what the tables of a run say, for all models.
 
+use peristat::input::Folder;
 use peristat::results::{Claim, FieldFiles, Results};
 use peristat::run::RunOptions;
 use peristat::{FieldError, Loaded, Solved};
@@ -124,7 +125,7 @@ fn fields_that_a_run_did_not_recover_are_refused() {
         "body": { "rectangle": { "size": [8, 8], "spacing": 1 } },
         "supports": [ { "at": { "region": "left" }, "ux": 0, "uy": 0 } ],
         "loads": [ { "traction": { "edge": "right", "uniform": [1, 0] } } ] }"#;
-    let source = peristat::case::from_text("case", case.into(), &[]).expect("a case");
+    let source = peristat::case::from_text("case", case.into(), &[], &Folder::default()).expect("a case");
     let loaded = Loaded::from_source(source, Path::new(".").into(), None).expect("a case");
     let solved = loaded.solve(&RunOptions::default()).expect("a case that can be solved");
     let refusal = solved.field(0, "von_mises").expect_err("nothing was recovered");

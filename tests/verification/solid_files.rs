@@ -1,6 +1,7 @@
 //! Solids from files: the cells are those of blocks where the surface is that of a block, and loads have the forces of the surface.
 
 use peristat::case;
+use peristat::input::Folder;
 use peristat::run::RunOptions;
 use peristat::{Loaded, Solved};
 use serde_json::{Value, json};
@@ -13,7 +14,7 @@ fn gallery(file: &str) -> PathBuf {
 
 /// A case solved beside its files.
 fn solved(case: &Value, folder: &Path) -> Solved {
-    let source = case::from_text("case", case.to_string(), &[])
+    let source = case::from_text("case", case.to_string(), &[], &Folder::default())
         .unwrap_or_else(|report| panic!("{}", report.render(false)));
     let loaded = Loaded::from_source(source, folder.into(), None).unwrap_or_else(|error| panic!("{error}"));
     let options = RunOptions { recover: true, max_memory: None, compare: false };

@@ -1,5 +1,6 @@
 //! The stiffness of a case as an operator.
 
+use peristat::input::Folder;
 use peristat::{Loaded, Operator, case, solve_text};
 
 const PANEL: &str = r#"{
@@ -11,7 +12,7 @@ const PANEL: &str = r#"{
 }"#;
 
 fn operator(text: &str) -> Operator {
-    let source = case::from_text("case", text.into(), &[]).expect("a case");
+    let source = case::from_text("case", text.into(), &[], &Folder::default()).expect("a case");
     let loaded = Loaded::from_source(source, std::path::Path::new(".").into(), None).expect("a scene");
     Operator::new(&loaded, None).expect("no contradiction")
 }

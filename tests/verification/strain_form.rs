@@ -2,6 +2,7 @@
 
 use crate::support::standard::{CASES, SECTIONS, Section, Standard, steel, unit};
 use crate::support::{Run, error, largest, run, run_recovered};
+use peristat::input::{Folder, Reach};
 use peristat::run::RunOptions;
 use peristat::run::beam::{Reaction, run as solve};
 use peristat::scene::Scene;
@@ -121,7 +122,9 @@ fn gallery() -> Vec<PathBuf> {
 
 /// A case of the gallery with a solver; `None` if the solver does not apply.
 fn solved(path: &Path, solver: &str) -> Option<Run> {
-    let source = peristat::case::read(path, &[format!("solver={solver}")], None).expect("a case");
+    let source =
+        peristat::case::read(path, &[format!("solver={solver}")], &Folder::of(path, Reach::Inside), None)
+            .expect("a case");
     let scene = Scene::new(source.case, path.parent().expect("a folder"), "case", &source.text, None)
         .expect("a scene");
     let scene = scene.into_beam().expect("a beam");

@@ -232,6 +232,7 @@ pub(super) fn schema(study: bool, markdown: bool) -> Result<u8, Error> {
     }
     if !study && !markdown {
         model_fields::add(&mut schema)?;
+        schema::without_moduli(&mut schema);
     }
     let schema = schema.to_value();
     say(&if markdown { case_reference::page(&schema, head) } else { format!("{schema:#}\n") })?;

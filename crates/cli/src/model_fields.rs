@@ -1,11 +1,11 @@
 //! Fields by model in the schema of cases: an editor offers those that the model of the case has, and marks others.
 
 use peristat::case::{self, FieldName};
+use peristat::input::Folder;
 use peristat::model::{self, Entry};
 use peristat::{Error, Loaded};
 use schemars::Schema;
 use serde_json::{Map, Value, json};
-use std::path::Path;
 
 /// Where cases name fields: lists, and objects in their elements.
 const PLACES: [(&str, &[&str]); 2] = [("probes", &[]), ("checks", &["baseline", "formula"])];
@@ -59,8 +59,8 @@ fn names(schema: &Schema) -> Vec<String> {
 fn of_model(entry: &Entry) -> Result<Vec<FieldName>, Error> {
     let mut all = Vec::new();
     for start in entry.starts {
-        let source = case::from_text(start.name, start.case.into(), &[])?;
-        let known = Loaded::from_source(source, Path::new(".").into(), None)?.scene.askable();
+        let source = case::from_text(start.name, start.case.into(), &[], &Folder::default())?;
+        let known = Loaded::from_source(source, Folder::default(), None)?.scene.askable();
         all.extend(known.into_iter().filter(|field| !all.contains(field)).collect::<Vec<_>>());
     }
     Ok(all)

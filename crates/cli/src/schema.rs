@@ -25,6 +25,18 @@ pub(super) fn starts() -> Value {
     model::starts().map(snippet).collect()
 }
 
+/// Asks for no moduli of models: the `material` of a case may give them.
+pub(super) fn without_moduli(schema: &mut Schema) {
+    let definitions = schema.get_mut("$defs").and_then(Value::as_object_mut);
+    for definition in definitions.into_iter().flat_map(Map::values_mut) {
+        if let Some(required) = definition.get_mut("required").and_then(Value::as_array_mut) {
+            required.retain(|key| {
+                !["youngs_modulus", "poisson_ratio", "shear_modulus"].iter().any(|own| key == own)
+            });
+        }
+    }
+}
+
 fn mend(schema: &mut Schema) {
     let Some(schema) = schema.as_object_mut() else { return };
     describe_variant(schema);

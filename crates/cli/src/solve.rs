@@ -18,8 +18,9 @@ use std::path::{Path, PathBuf};
 
 /// Reads a case and resolves it.
 pub(super) fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
-    let source = case::read(case, overrides, global.max_memory)?;
-    Loaded::from_source(source, Folder::of(case, global.reach()), global.max_memory)
+    let folder = Folder::of(case, global.reach());
+    let source = case::read(case, overrides, &folder, global.max_memory)?;
+    Loaded::from_source(source, folder, global.max_memory)
 }
 
 /// Solves a case into its results folder.

@@ -101,8 +101,8 @@ impl From<Report> for Error {
 /// # Errors
 /// [`enum@Error`] with the place of the fault.
 pub fn solve_text(text: &str) -> Result<Solved, Error> {
-    let source = case::from_text("case", text.into(), &[]).map_err(Error::Case)?;
-    let loaded = Loaded::from_source(source, Path::new(".").into(), None)?;
+    let source = case::from_text("case", text.into(), &[], &Folder::default()).map_err(Error::Case)?;
+    let loaded = Loaded::from_source(source, Folder::default(), None)?;
     loaded.solve(&RunOptions { recover: true, max_memory: None, compare: true })
 }
 
@@ -126,8 +126,9 @@ impl Loaded {
     /// # Errors
     /// [`Error::Case`] with all faults.
     pub fn read(path: &Path, overrides: &[String], max_memory: Option<u64>) -> Result<Self, Error> {
-        let source = case::read(path, overrides, max_memory).map_err(Error::Case)?;
-        Self::from_source(source, Folder::of(path, Reach::Inside), max_memory)
+        let folder = Folder::of(path, Reach::Inside);
+        let source = case::read(path, overrides, &folder, max_memory).map_err(Error::Case)?;
+        Self::from_source(source, folder, max_memory)
     }
 
     /// The same of a case that is read; `folder` is where files that it names are looked for.

@@ -20,6 +20,15 @@ pub enum Units {
 }
 
 impl Units {
+    /// Its name in a case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "m-N-Pa",
+            Self::MillimetreNewtonMegapascal => "mm-N-MPa",
+            Self::Dimensionless => "none",
+        }
+    }
+
     /// Unit of length.
     pub fn length(self) -> &'static str {
         match self {

@@ -32,7 +32,8 @@ impl Given {
     /// The case as it is read.
     pub(crate) fn read(&mut self) -> Result<Source, Error> {
         let text = std::mem::take(&mut self.text);
-        Ok(case::from_text(&self.file.display().to_string(), text, &self.overrides)?)
+        let folder = Folder::of(&self.file, self.reach());
+        Ok(case::from_text(&self.file.display().to_string(), text, &self.overrides, &folder)?)
     }
 
     /// The case that was read, resolved.

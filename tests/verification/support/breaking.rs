@@ -1,6 +1,7 @@
 //! Bodies that break, equilibrium by equilibrium.
 
 use peristat::case::from_text;
+use peristat::input::Folder;
 use peristat::run::fracture::{Event, FractureReport};
 use peristat::run::{Advance, Restart, RunOptions, RunReport, Sink, StateResult, run};
 use peristat::scene::Scene;
@@ -26,7 +27,8 @@ impl Sink for Kept {
 
 /// The equilibria of a case that breaks, and what is reported of it.
 pub(crate) fn solve(case: &Value) -> (Vec<Event>, RunReport) {
-    let source = from_text("case", format!("{case:#}"), &[]).unwrap_or_else(|e| panic!("{e}"));
+    let source =
+        from_text("case", format!("{case:#}"), &[], &Folder::default()).unwrap_or_else(|e| panic!("{e}"));
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
     let scene = scene.unwrap_or_else(|e| panic!("{e}"));
     let mut kept = Kept::default();

@@ -14,6 +14,7 @@ pub(crate) mod sections;
 pub(crate) mod standard;
 
 use peristat::case::from_text;
+use peristat::input::Folder;
 use peristat::run::beam::{self, BeamResult, LineFields};
 use peristat::run::{RunOptions, RunReport};
 use peristat::scene::{BeamScene, Scene};
@@ -30,7 +31,7 @@ pub(crate) struct Run {
 /// Resolves a case, or returns the report of its faults as text.
 pub(crate) fn try_scene(case: &Value) -> Result<BeamScene, String> {
     let text = format!("{case:#}");
-    let source = from_text("case", text, &[]).map_err(|e| e.to_string())?;
+    let source = from_text("case", text, &[], &Folder::default()).map_err(|e| e.to_string())?;
     let scene =
         Scene::new(source.case, Path::new("."), "case", &source.text, None).map_err(|e| e.to_string())?;
     Ok(scene.into_beam().expect("a beam"))

@@ -1,6 +1,7 @@
 //! Bodies in the plane: running a case, fields at all points, values of probes.
 
 use peristat::case::{FieldName, from_text};
+use peristat::input::Folder;
 use peristat::run::body::{self, BodyResult};
 use peristat::run::{RunOptions, RunReport};
 use peristat::scene::{BodyScene, Scene};
@@ -38,7 +39,8 @@ fn solve_with(case: &Value, recover: bool) -> PlaneRun {
 
 /// Resolves a case in the plane, or returns the report of its faults as text.
 pub(crate) fn scene(case: &Value) -> Result<BodyScene, String> {
-    let source = from_text("case", format!("{case:#}"), &[]).map_err(|e| e.to_string())?;
+    let source =
+        from_text("case", format!("{case:#}"), &[], &Folder::default()).map_err(|e| e.to_string())?;
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
     Ok(scene.map_err(|e| e.to_string())?.into_body().expect("a body in the plane"))
 }

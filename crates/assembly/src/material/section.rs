@@ -117,7 +117,7 @@ pub enum SectionError {
         limit: f64,
     },
     /// No formula of Cowper is known for the shape.
-    #[error("`cowper` has no formula for a general section")]
+    #[error("`cowper` has no formula for a general section, nor for a channel")]
     NoCowper,
 }
 

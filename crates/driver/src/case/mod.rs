@@ -14,6 +14,7 @@ mod fracture;
 mod frame;
 mod grading;
 mod initial_strain;
+mod library;
 mod line_load;
 mod load_factor;
 mod mass_load;
@@ -101,6 +102,12 @@ pub struct Case {
     /// The consistent units of all numbers. They label axes and feed plausibility warnings; nothing is converted.
     #[serde(default)]
     pub units: Units,
+    /// Path of a file of materials and profiles by name, relative to the case, which `material` and `rolled` then name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub library: Option<String>,
+    /// Name of the material in the `library`: moduli of `model`, `density` and `thermal_expansion`, where the case gives none itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
     /// What the body is made of: a beam, a plate or a shell, with its material.
     pub model: Model,
     /// Mass per volume of the material, > 0, for `gravity` and `spin`: kg/m³ in `m-N-Pa`, t/mm³ in `mm-N-MPa`.
@@ -209,7 +216,7 @@ impl Case {
             Some(Modulus::Table(table)) => Some(&mut table.file),
             _ => None,
         });
-        baselines.chain(body).chain(surfaces).chain(tables).collect()
+        baselines.chain(body).chain(surfaces).chain(tables).chain(self.library.as_mut()).collect()
     }
 
     /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.

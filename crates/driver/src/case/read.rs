@@ -1,9 +1,10 @@
 //! From a file, or a text, to a [`Case`].
 
 use super::Case;
-use crate::diagnostic::{self, Diagnostic, JsonPath, Report, Segment, decode, study_for_case};
-use crate::input;
-use serde_json::Value;
+use super::library::Library;
+use crate::diagnostic::{self, Diagnostic, Faults, JsonPath, Report, Segment, decode, root, study_for_case};
+use crate::input::{self, Folder};
+use serde_json::{Map, Value};
 use std::path::Path;
 use std::str::FromStr;
 
@@ -18,13 +19,18 @@ pub struct Source {
     pub text: String,
 }
 
-/// Reads a case and applies overrides of the form `path=value`; `max_memory` is in bytes, without it there is what the
-/// machine has.
+/// Reads a case and applies overrides of the form `path=value`; `folder` is where its library is looked for, `max_memory` is in
+/// bytes, without it there is what the machine has.
 ///
 /// # Errors
 /// A [`Report`] with the place of the fault.
-pub fn read(path: &Path, overrides: &[String], max_memory: Option<u64>) -> Result<Source, Report> {
-    from_text(&path.display().to_string(), read_text(path, max_memory)?, overrides)
+pub fn read(
+    path: &Path,
+    overrides: &[String],
+    folder: &Folder,
+    max_memory: Option<u64>,
+) -> Result<Source, Report> {
+    from_text(&path.display().to_string(), read_text(path, max_memory)?, overrides, folder)
 }
 
 /// The text of a case file, which is regular and fits into so many bytes of memory, or what the machine has.
@@ -51,16 +57,26 @@ pub fn read_text(path: &Path, max_memory: Option<u64>) -> Result<String, Report>
     decode(&file, bytes)
 }
 
-/// Reads a case from a text; `file` names it in messages.
+/// Reads a case from a text; `file` names it in messages, `folder` is where its library is looked for.
 ///
 /// # Errors
 /// As [`read`].
-pub fn from_text(file: &str, text: String, overrides: &[String]) -> Result<Source, Report> {
-    if overrides.is_empty() {
-        let case = diagnostic::parse(file, &text).map_err(|report| study_for_case(file, &text, report))?;
-        return Ok(Source { case, file: file.into(), text });
-    }
-    let mut value: Value = diagnostic::parse(file, &text)?;
+pub fn from_text(file: &str, text: String, overrides: &[String], folder: &Folder) -> Result<Source, Report> {
+    let (name, changed) = match overrides {
+        [] => (file.to_string(), text.clone()),
+        _ => (format!("{file} with --set"), with_overrides(file, &text, overrides)?),
+    };
+    let case = match changed.contains(LIBRARY) {
+        true => with_library(&name, &changed, folder),
+        false => diagnostic::parse(&name, &changed),
+    };
+    let case = case.map_err(|report| study_for_case(file, &text, report))?;
+    Ok(Source { case, file: name, text: changed })
+}
+
+/// The text of a case with overrides.
+fn with_overrides(file: &str, text: &str, overrides: &[String]) -> Result<String, Report> {
+    let mut value: Value = diagnostic::parse(file, text)?;
     for assignment in overrides {
         set(&mut value, assignment).map_err(|message| {
             let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
@@ -68,11 +84,32 @@ pub fn from_text(file: &str, text: String, overrides: &[String]) -> Result<Sourc
             Report { file: format!("--set {assignment}"), text: String::new(), diagnostics: vec![diagnostic] }
         })?;
     }
-    let changed = format!("{value:#}");
-    let name = format!("{file} with --set");
-    let case = diagnostic::parse(&name, &changed).map_err(|report| study_for_case(file, &text, report))?;
-    let (file, text) = (name, changed);
-    Ok(Source { case, file, text })
+    Ok(format!("{value:#}"))
+}
+
+/// The key of a library as texts have it.
+const LIBRARY: &str = "\"library\"";
+
+/// A case with what it takes of its library. Faults of the form of what was filled in are shown in the filled text, all others in that
+/// of the author.
+fn with_library(file: &str, text: &str, folder: &Folder) -> Result<Case, Report> {
+    let mut keys: Map<String, Value> = diagnostic::parse(file, text)?;
+    let Some(library) = keys.get("library").and_then(Value::as_str) else {
+        return diagnostic::parse(file, text);
+    };
+    let refuse = |faults: Faults| faults.into_report(file, text);
+    let library = Library::read(library, folder, None).map_err(refuse)?;
+    library.fill(&mut keys).map_err(refuse)?;
+    let filled = format!("{:#}", Value::Object(keys));
+    let case: Case = diagnostic::parse(&format!("{file} with its library"), &filled)?;
+    let (own, of_case) = (library.units, case.units);
+    if own != of_case {
+        let mut faults = Faults::default();
+        let message = format!("the library is in {}, and the case in {}", own.name(), of_case.name());
+        faults.error(root("library"), message).hint("nothing is converted: give both the same `units`");
+        return Err(refuse(faults));
+    }
+    Ok(case)
 }
 
 /// Sets one value; missing keys are made, elements of lists must exist.

@@ -89,7 +89,7 @@ mod tests {
     use crate::case::from_text;
 
     fn refined(text: &str, factor: f64) -> Result<Vec<String>, String> {
-        let case = from_text("case", text.into(), &[]).unwrap().case;
+        let case = from_text("case", text.into(), &[], &crate::input::Folder::default()).unwrap().case;
         Ok(case.refined(factor)?.iter().map(|(path, value)| format!("{path}={value}")).collect())
     }
 

@@ -13,6 +13,9 @@ pub struct RegionMaterial {
     /// all points of a body that no other one claims.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<Names>,
+    /// Name of a material of the `library`: its moduli and `thermal_expansion`, where none are given here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
     /// Young's modulus E, > 0. In a body it may vary: by a formula of x, y and z, or as a table.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub youngs_modulus: Option<Modulus>,

@@ -23,6 +23,13 @@ pub struct Folder {
     reach: Reach,
 }
 
+/// The current folder.
+impl Default for Folder {
+    fn default() -> Self {
+        Self::new(Path::new("."), Reach::Inside)
+    }
+}
+
 impl From<&Path> for Folder {
     fn from(path: &Path) -> Self {
         Self::new(path, Reach::Inside)

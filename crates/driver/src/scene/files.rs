@@ -79,7 +79,7 @@ mod tests {
         let checks = ["a.csv", "b/a.csv", "c/a.csv", "./b/a.csv", "b/A.csv", "none.csv"].map(check);
         let text = crate::model::start("timoshenko_beam").unwrap().to_string();
         let set = [format!("checks={}", serde_json::Value::from(checks.to_vec()))];
-        let mut case = crate::case::from_text("case", text, &set).unwrap().case;
+        let mut case = crate::case::from_text("case", text, &set, &Folder::default()).unwrap().case;
         let kept = keep(&mut case, &folder.path().into(), None);
         let names: Vec<String> = case.files_mut().into_iter().map(|f| f.clone()).collect();
         let expected = [

@@ -53,7 +53,8 @@ mod tests {
     fn of(overrides: &[&str]) -> String {
         let text = crate::model::start("bond_plane").unwrap().to_string();
         let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        let source = crate::case::from_text("case", text, &overrides).unwrap();
+        let source =
+            crate::case::from_text("case", text, &overrides, &crate::input::Folder::default()).unwrap();
         Scene::new(source.case, Path::new("."), "case", "", None).unwrap().fingerprint().unwrap()
     }
 
@@ -75,7 +76,13 @@ mod tests {
         let mesh = std::fs::read_to_string(cases.join("bracket.msh")).unwrap();
         let of = |mesh: &str| {
             std::fs::write(folder.path().join("bracket.msh"), mesh).unwrap();
-            let source = crate::case::read(&cases.join("bracket.json"), &["checks=[]".into()], None).unwrap();
+            let source = crate::case::read(
+                &cases.join("bracket.json"),
+                &["checks=[]".into()],
+                &crate::input::Folder::default(),
+                None,
+            )
+            .unwrap();
             Scene::new(source.case, folder.path(), "case", "", None).unwrap().fingerprint().unwrap()
         };
         let first = of(&mesh);

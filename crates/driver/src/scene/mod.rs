@@ -52,6 +52,19 @@ fn check_title(title: &str, faults: &mut Faults) {
     }
 }
 
+/// Adds faults of materials that are named and come from nowhere.
+fn check_library(case: &Case, faults: &mut Faults) {
+    if case.library.is_some() {
+        return;
+    }
+    let of_case = case.material.as_ref().map(|_| root("material"));
+    let named = case.materials.iter().filter(|(_, given)| given.material.is_some());
+    for path in of_case.into_iter().chain(named.map(|(own, _)| root("materials").key(own).key("material"))) {
+        let hint = "name its file beside `model`: `\"library\": \"office.json\"`";
+        faults.error(path, "a `material` is one of a `library`, and this case has none").hint(hint);
+    }
+}
+
 impl Scene {
     /// Resolves a case. `folder` is where files that the case names are looked for, `file` and `text` are for messages;
     /// `max_memory` is in bytes, without it there is what the machine has.
@@ -70,6 +83,7 @@ impl Scene {
         numbers::check(&case, &mut faults);
         mass::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
+        check_library(&case, &mut faults);
         let bends = case.model.keys().is_ok_and(|keys| keys.bends());
         if !bends {
             plates_only::refuse(&case, &mut faults);

@@ -167,7 +167,7 @@ impl Loaded {
             overrides.iter().map(|(path, value)| format!("{path}={value}")).collect();
         // Checks may name files that fit one spacing only.
         overrides.push("checks=[]".into());
-        let solved = case::from_text(&self.file, self.text.clone(), &overrides)
+        let solved = case::from_text(&self.file, self.text.clone(), &overrides, &self.folder)
             .map_err(Error::Case)
             .and_then(|source| Loaded::from_source(source, self.folder.clone(), max_memory))
             .and_then(|loaded| {

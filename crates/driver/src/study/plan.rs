@@ -128,7 +128,7 @@ impl Plan {
         let mut made = Vec::new();
         for settings in series {
             let own = fixed.iter().cloned().chain(settings.iter().map(assignment)).collect();
-            for (size, overrides) in levels_of(&study, (&case_file, &base), own, &of_refinement) {
+            for (size, overrides) in levels_of(&study, (&case_file, &folder, &base), own, &of_refinement) {
                 let settings = (settings.clone(), size);
                 let made_of =
                     |overrides| task((&case_file, &folder), &base, settings, overrides, made.len() + 1);
@@ -155,12 +155,12 @@ type Levels = Vec<(Option<f64>, Result<Vec<String>, Report>)>;
 /// The levels of a series with overrides of its own.
 fn levels_of(
     study: &Study,
-    (file, base): (&Path, &str),
+    (file, folder, base): (&Path, &Folder, &str),
     own: Vec<String>,
     fault: &dyn Fn(String) -> Report,
 ) -> Levels {
     let Some(refine) = &study.refine else { return vec![(None, Ok(own))] };
-    let start = case::from_text(&file.display().to_string(), base.into(), &own);
+    let start = case::from_text(&file.display().to_string(), base.into(), &own, folder);
     let of = |step: &Step| {
         let refined = refined(&start.as_ref().map_err(Clone::clone)?.case, step).map_err(fault)?;
         Ok(own.iter().cloned().chain(refined).collect())
@@ -195,7 +195,7 @@ fn task(
     overrides: Vec<String>,
     number: usize,
 ) -> Result<Task, Report> {
-    let source = case::from_text(&file.display().to_string(), base.into(), &overrides)?;
+    let source = case::from_text(&file.display().to_string(), base.into(), &overrides, folder)?;
     let key = key(&source.case, folder);
     Ok(Task { number, settings, size, overrides, key, source })
 }

@@ -200,7 +200,9 @@ mod tests {
 
     fn scene(text: &str, overrides: &[&str]) -> Scene {
         let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        let source = crate::case::from_text("case", text.into(), &overrides).unwrap();
+        let source =
+            crate::case::from_text("case", text.into(), &overrides, &crate::input::Folder::default())
+                .unwrap();
         Scene::new(source.case, Path::new("."), "case", "", None).unwrap()
     }
 

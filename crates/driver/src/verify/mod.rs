@@ -88,8 +88,9 @@ fn found(file: &Path, request: &Request) -> Result<Found, Error> {
     if let Some(other) = find::other_than_case(file, max_memory).filter(|_| !named) {
         return Ok(Found::Skipped(other));
     }
-    let source = case::read(file, &[], max_memory)?;
-    let loaded = Loaded::from_source(source, Folder::of(file, request.reach), max_memory)?;
+    let folder = Folder::of(file, request.reach);
+    let source = case::read(file, &[], &folder, max_memory)?;
+    let loaded = Loaded::from_source(source, folder, max_memory)?;
     if loaded.scene.case().slow && !request.all && !named {
         return Ok(Found::Skipped(SLOW));
     }

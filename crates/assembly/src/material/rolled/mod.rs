@@ -1,11 +1,20 @@
 //! Rolled steel sections by name.
 
+mod channel;
+
 use super::Section;
+use channel::Channel;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 /// A rolled section of the table, chosen by its name such as `IPE 270`; blanks and case do not matter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rolled(&'static Shape);
+pub struct Rolled(Profile);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Profile {
+    I(&'static Shape),
+    Channel(&'static Channel),
+}
 
 /// Dimensions of EN 10365 or, of wide flanges, of the AISC Manual, mm.
 #[derive(Debug, PartialEq)]
@@ -24,24 +33,37 @@ impl Rolled {
         if let Some((size, series)) = wanted.strip_prefix("HE").zip(series) {
             wanted = format!("HE{series}{}", size.trim_end_matches(series));
         }
-        TABLE.iter().find(|shape| plain(shape.name) == wanted).map(Self)
+        all().find(|rolled| plain(rolled.name()) == wanted)
     }
 
     /// All names.
     pub fn names() -> impl Iterator<Item = &'static str> {
-        TABLE.iter().map(|shape| shape.name)
+        all().map(Self::name)
     }
 
     /// Its name.
     pub fn name(self) -> &'static str {
-        self.0.name
+        match self.0 {
+            Profile::I(shape) => shape.name,
+            Profile::Channel(channel) => channel.name,
+        }
     }
 
     /// Its shape, in a unit of which a millimetre is so much.
     pub fn section(self, millimetre: f64) -> Section {
-        let [height, width, web, flange, fillet] = self.0.size.map(|length| millimetre * length);
-        Section::I { width, height, web, flange, fillet }
+        match self.0 {
+            Profile::I(shape) => {
+                let [height, width, web, flange, fillet] = shape.size.map(|length| millimetre * length);
+                Section::I { width, height, web, flange, fillet }
+            }
+            Profile::Channel(channel) => channel.section(millimetre),
+        }
     }
+}
+
+fn all() -> impl Iterator<Item = Rolled> {
+    let channels = channel::TABLE.iter().map(Profile::Channel);
+    TABLE.iter().map(Profile::I).chain(channels).map(Rolled)
 }
 
 impl Serialize for Rolled {
@@ -65,18 +87,17 @@ impl schemars::JsonSchema for Rolled {
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
-            "description": "A rolled steel section by its name: IPE, HEA, HEB and HEM of EN 10365, W of the AISC Manual.",
-            "type": "string",
-            "enum": NAMES.to_vec()
+            "description": "A rolled steel section by its name: IPE, HEA, HEB and HEM of EN 10365, W of the AISC Manual, UPN of DIN 1026-1; or a profile of the `library` of the case.",
+            "anyOf": [{ "type": "string", "enum": NAMES.to_vec() }, { "type": "string" }]
         })
     }
 }
 
-const NAMES: [&str; TABLE.len()] = {
-    let mut names = [""; TABLE.len()];
+const NAMES: [&str; TABLE.len() + channel::TABLE.len()] = {
+    let mut names = [""; TABLE.len() + channel::TABLE.len()];
     let mut k = 0;
-    while k < TABLE.len() {
-        names[k] = TABLE[k].name;
+    while k < names.len() {
+        names[k] = if k < TABLE.len() { TABLE[k].name } else { channel::TABLE[k - TABLE.len()].name };
         k += 1;
     }
     names

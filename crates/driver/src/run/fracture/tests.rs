@@ -3,6 +3,7 @@
 use super::islands::Islands;
 use super::unit::{Outcome, Unit};
 use crate::case::from_text;
+use crate::input::Folder;
 use crate::model::AnyBody;
 use crate::run::body::BodyProblem;
 use crate::run::{Problem, RunOptions, Timing, prepare};
@@ -26,7 +27,8 @@ fn scene() -> BodyScene {
         "supports": [ { "at": { "region": "left grip" }, "ux": -2, "uy": 0, "phi": 0 },
             { "at": { "region": "right grip" }, "ux": 2, "uy": 0, "phi": 0 } ]
     });
-    let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|report| panic!("{report}"));
+    let source = from_text("case", case.to_string(), &[], &Folder::default())
+        .unwrap_or_else(|report| panic!("{report}"));
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
     scene.unwrap_or_else(|report| panic!("{report}")).into_body().expect("a plate")
 }

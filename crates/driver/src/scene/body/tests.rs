@@ -2,6 +2,7 @@
 
 use super::scene::BodyScene;
 use crate::case;
+use crate::input::Folder;
 use crate::model::AnyBody;
 use crate::run::body::BodyProblem;
 use crate::run::{RunOptions, prepare};
@@ -27,7 +28,8 @@ pub(crate) fn plate(more: Value) -> Value {
 }
 
 fn scene(case: &Value) -> BodyScene {
-    let source = case::from_text("case", case.to_string(), &[]).unwrap_or_else(|report| panic!("{report}"));
+    let source = case::from_text("case", case.to_string(), &[], &Folder::default())
+        .unwrap_or_else(|report| panic!("{report}"));
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
     scene.unwrap_or_else(|report| panic!("{report}")).into_body().unwrap()
 }

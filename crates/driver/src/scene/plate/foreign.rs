@@ -16,7 +16,8 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         ("strengths", case.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),
         (
             "thermal_expansion",
-            case.thermal_expansion.is_some(),
+            // Of a library, which has it for others, it does no harm.
+            case.thermal_expansion.is_some() && case.material.is_none(),
             "a plate in bending has no change of temperature",
         ),
     ];

@@ -97,7 +97,7 @@ fn check_keys(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults) {
         ("interface", given.interface.is_some(), "the bonds of a plate in bending do not break"),
         (
             "thermal_expansion",
-            given.thermal_expansion.is_some(),
+            given.thermal_expansion.is_some() && given.material.is_none(),
             "a plate in bending has no change of temperature",
         ),
     ];

@@ -12,6 +12,7 @@ use super::displacement::Displacement;
 use super::tangent::Tangent;
 use super::{PathPoint, PathReport};
 use crate::case::from_text;
+use crate::input::Folder;
 use crate::model::AnyBody;
 use crate::run::body::BodyProblem;
 use crate::run::{self, Advance, Problem, RunOptions, RunReport, Sink, StateResult, prepare};
@@ -80,7 +81,8 @@ impl Ran {
 }
 
 fn scene(case: &Value) -> Scene {
-    let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|report| panic!("{report}"));
+    let source = from_text("case", case.to_string(), &[], &Folder::default())
+        .unwrap_or_else(|report| panic!("{report}"));
     Scene::new(source.case, Path::new("."), "case", &source.text, None)
         .unwrap_or_else(|report| panic!("{report}"))
 }
