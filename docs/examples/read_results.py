@@ -8,10 +8,10 @@ folder = Path("results/breaking_plate")
 
 
 def table(name: str) -> dict[str, list[float]]:
-    """Columns of a table by their names."""
+    """Columns of a table by their names, without units."""
     with open(folder / name, encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    return {key: [float(row[key]) for row in rows] for key in rows[0]}
+    return {key.split(" [")[0]: [float(row[key]) for row in rows] for key in rows[0]}
 
 
 summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))

@@ -44,6 +44,22 @@ fn files_outside_are_read_only_where_that_is_allowed() {
 }
 
 #[test]
+fn a_library_lies_where_files_of_the_case_do_and_results_keep_it() {
+    let folder = tempfile::tempdir().unwrap();
+    apart(folder.path(), "frame", "library.json", "office.jsonc");
+    let refused = run(folder.path(), &["run", "case/library.json", "-o", "out"]);
+    assert_eq!(refused.code, 2);
+    let message = format!("error: the library ../office.jsonc {OUT}\n");
+    assert!(refused.stderr.starts_with(&message), "{}", refused.stderr);
+    let allowed = run(folder.path(), &["run", "case/library.json", "-o", "out", "--allow-outside"]);
+    assert_eq!(allowed.code, 0, "{}", allowed.stderr);
+    let again = run(folder.path(), &["run", "out/case.json", "-o", "again"]);
+    assert_eq!(again.code, 0, "{}", again.stderr);
+    let fields = |of: &str| fs::read(folder.path().join(of).join("fields/step_000.csv")).unwrap();
+    assert_eq!(fields("again"), fields("out"));
+}
+
+#[test]
 fn the_case_of_a_study_lies_in_its_folder() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("inner")).unwrap();

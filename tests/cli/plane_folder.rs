@@ -85,7 +85,7 @@ fn a_plate_leaves_its_fields_lines_maps_and_summary() {
         map.contains("displacements times") && map.contains("[mm]") && map.trim_end().ends_with("</svg>")
     );
     let history = fs::read_to_string(out.join("history.csv")).unwrap();
-    assert_eq!(history.lines().next(), Some("step,load_factor,corner,side,foot,K"));
+    assert_eq!(history.lines().next(), Some("step,load_factor,corner [mm],side [MPa],foot [N],K [MPa √mm]"));
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn tables_and_grids_hold_the_points_of_the_body() {
     assert_eq!(solve(folder.path(), &case(), &[]).code, 0);
     let out = folder.path().join("out/fields");
     let table = fs::read_to_string(out.join("step_000.csv")).unwrap();
-    let header = "x,y,ux,uy,strain_xx,strain_yy,strain_xy,stress_xx,stress_yy,stress_xy,stress_zz,von_mises,energy_density,damage";
+    let header = "x [mm],y [mm],ux [mm],uy [mm],strain_xx,strain_yy,strain_xy,stress_xx [MPa],stress_yy [MPa],stress_xy [MPa],stress_zz [MPa],von_mises [MPa],energy_density [MPa],damage";
     assert_eq!(table.lines().next(), Some(header));
     // 16 × 32 cells without those that have their centres in the slot.
     let points = table.lines().count() - 1;
@@ -116,7 +116,7 @@ fn tables_and_grids_hold_the_points_of_the_body() {
     }
     // The line is broken by the slot: the places in it are left out.
     let line = fs::read_to_string(out.join("step_000_across.csv")).unwrap();
-    assert!(line.starts_with("s,x,y,ux,uy,"));
+    assert!(line.starts_with("s [mm],x [mm],y [mm],ux [mm],uy [mm],"));
     let x: Vec<f64> = line.lines().skip(1).map(|l| l.split(',').nth(1).unwrap().parse().unwrap()).collect();
     assert!(x.len() < 33 && x.len() > 20 && !x.iter().any(|x| (4.5..6.5).contains(x)), "{x:?}");
 }

@@ -35,10 +35,15 @@ pub(super) fn parsed(text: &str) -> f64 {
     plain.replace("e10", "e").parse().unwrap_or_else(|_| panic!("`{text}` is no number"))
 }
 
-/// Columns of a table of the run by name.
+/// Columns of a table of the run by name, without units.
 pub(super) fn columns(file: &Path) -> Vec<(String, Vec<f64>)> {
     let text = fs::read_to_string(file).unwrap();
-    let names = text.lines().next().unwrap().split(',').map(ToString::to_string);
+    let names = text
+        .lines()
+        .next()
+        .unwrap()
+        .split(',')
+        .map(|head| head.split(" [").next().unwrap_or(head).to_string());
     let mut columns: Vec<(String, Vec<f64>)> = names.map(|name| (name, Vec::new())).collect();
     for line in text.lines().skip(1) {
         columns.iter_mut().zip(line.split(',')).for_each(|(c, cell)| c.1.push(cell.parse().unwrap()));

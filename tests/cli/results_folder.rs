@@ -36,11 +36,13 @@ fn a_run_leaves_its_case_fields_history_plots_and_summary() {
     assert_eq!(collection.matches("<DataSet").count(), 4);
     let history = fs::read_to_string(out.join("history.csv")).unwrap();
     let mut lines = history.lines();
-    assert_eq!(lines.next(), Some("step,load_factor,tip,stress"));
+    assert_eq!(lines.next(), Some("step,load_factor,tip [m],stress [Pa]"));
     assert_eq!(lines.count(), 4);
     let header = fs::read_to_string(out.join("fields/step_000.csv")).unwrap();
     assert!(
-        header.starts_with("x,w,phi,M,V,stress_top,stress_bottom,energy_density,M_left,V_left\n"),
+        header.starts_with(
+            "x [m],w [m],phi [rad],M [N m],V [N],stress_top [Pa],stress_bottom [Pa],energy_density [Pa],M_left [N m],V_left [N]\n"
+        ),
         "{header}"
     );
 }
@@ -59,8 +61,7 @@ fn a_frame_leaves_its_members_places_in_the_plane_and_pictures() {
     let moment = fs::read_to_string(out.join("plots/moment.svg")).unwrap();
     assert!(moment.contains("on the side in tension") && moment.contains("−20×10³"));
     let table = fs::read_to_string(out.join("fields/step_000.csv")).unwrap();
-    let header =
-        "member,s,x,y,ux,uy,w,u,phi,N,V,M,stress_top,stress_bottom,energy_density,N_left,V_left,M_left";
+    let header = "member,s [m],x [m],y [m],ux [m],uy [m],w [m],u [m],phi [rad],N [N],V [N],M [N m],stress_top [Pa],stress_bottom [Pa],energy_density [Pa],N_left [N],V_left [N],M_left [N m]";
     assert_eq!(table.lines().next(), Some(header));
     // The foot, and the tip: member 2, s = 2, at (2, 3).
     assert!(table.lines().nth(1).unwrap().starts_with("1.0,0.0,0.0,0.0,"));
@@ -95,7 +96,7 @@ fn a_line_that_stretches_has_columns_for_it() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(solve(folder.path(), "axial_bar.json", &[]).code, 0);
     let table = fs::read_to_string(folder.path().join("out/fields/step_000.csv")).unwrap();
-    assert_eq!(table.lines().next(), Some("x,w,phi,u,M,V,N,M_left,V_left,N_left"));
+    assert_eq!(table.lines().next(), Some("x,w,phi [rad],u,M,V,N,M_left,V_left,N_left"));
 }
 
 #[test]
@@ -103,7 +104,7 @@ fn load_cases_leave_their_envelope() {
     let folder = tempfile::tempdir().unwrap();
     solve(folder.path(), "load_cases.json", &[]);
     let envelope = fs::read_to_string(folder.path().join("out/envelope.csv")).unwrap();
-    let header = "x,w_smallest,w_largest,phi_smallest,phi_largest,M_smallest,M_largest,V_smallest,V_largest";
+    let header = "x [mm],w_smallest [mm],w_largest [mm],phi_smallest [rad],phi_largest [rad],M_smallest [N mm],M_largest [N mm],V_smallest [N],V_largest [N]";
     assert_eq!(envelope.lines().next(), Some(header));
     // At mid-span the lowest deflection is that of the combination `ultimate`, the highest that of `dead`.
     let middle: Vec<f64> = envelope.lines().nth(41).unwrap().split(',').map(|c| c.parse().unwrap()).collect();
@@ -386,4 +387,27 @@ fn a_finished_run_is_replaced_by_the_next_one_of_its_file() {
     assert!(again(&[]).stderr.contains("holds an unfinished run"));
     assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
     assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
+}
+
+/// A force upwards at the tip of a cantilever: V is F as a field, and −F in the sign of structural engineers, for whom what pulls the
+/// left piece down at its support is negative; M sags.
+#[test]
+fn diagrams_have_the_signs_that_are_asked_for_and_tables_keep_theirs() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawn = |signs: &str| {
+        let set = format!("drawing.signs={signs}");
+        assert_eq!(solve(folder.path(), "cantilever.json", &["--set", &set, "--force"]).code, 0);
+        let out = folder.path().join("out");
+        let plot = |name: &str| fs::read_to_string(out.join(format!("plots/{name}.svg"))).unwrap();
+        let table = fs::read(out.join("fields/step_000.csv")).unwrap();
+        (plot("shear"), plot("moment"), table, fs::read_to_string(out.join("report.html")).unwrap())
+    };
+    let [fields, structural, tension] = ["fields", "structural", "tension_side"].map(drawn);
+    assert!(fields.0.contains("1000") && !fields.0.contains("clockwise") && !fields.0.contains("−1000"));
+    for (shear, ..) in [&structural, &tension] {
+        assert!(shear.contains("−1000") && shear.contains("clockwise positive"), "{shear}");
+    }
+    assert!(structural.1.contains("sagging positive") && tension.1.contains("on the side in tension"));
+    assert!(tension.3.contains("\"turned\":true") && !structural.3.contains("\"turned\":true"));
+    assert!(fields.2 == structural.2 && fields.2 == tension.2);
 }

@@ -52,11 +52,11 @@ fn solved(name: &str, folder: &Path) -> Solved {
     solved
 }
 
-/// The columns of a table.
+/// The columns of a table, without their units.
 fn table(file: &Path) -> BTreeMap<String, Vec<f64>> {
     let text = std::fs::read_to_string(file).expect("a table");
     let mut lines = text.lines();
-    let names = lines.next().expect("names").split(',');
+    let names = lines.next().expect("names").split(',').map(|head| head.split(" [").next().unwrap_or(head));
     let mut columns: Vec<(String, Vec<f64>)> = names.map(|name| (name.into(), Vec::new())).collect();
     for line in lines {
         let values = line.split(',').map(|value| value.parse().expect("a number"));

@@ -9,6 +9,7 @@ use peristat::case::{self, Case};
 use peristat::input::Folder;
 use peristat::output::folder::below;
 use peristat::results::{Claim, Results, Writing, stiffness};
+use peristat::run::fracture::{Forecast, forecast};
 use peristat::run::{Restart, RunOptions, sizes};
 use peristat::study::EstimateEffort;
 use peristat::summary::{Status, Summary};
@@ -169,6 +170,19 @@ fn bound(case: &Case) -> Option<(usize, &'static str)> {
     breaks.or_else(|| case.path.as_ref().and_then(|p| Some((p.max_steps?, "path.max_steps"))))
 }
 
+/// A forecast in words.
+fn about(forecast: Forecast) -> String {
+    let rounded = |value: f64| format!("{value:.0e}").parse::<f64>().unwrap_or(value);
+    let (equilibria, seconds) = (rounded(forecast.equilibria as f64), forecast.seconds);
+    let time = match seconds {
+        _ if seconds < 1.0 => "less than a second".into(),
+        _ if seconds < 100.0 => format!("{} s", rounded(seconds)),
+        _ if seconds < 6000.0 => format!("{} min", rounded(seconds / 60.0)),
+        _ => format!("{} h", rounded(seconds / 3600.0)),
+    };
+    format!("about {equilibria} equilibria in {time}, both to a factor of three; ")
+}
+
 /// Builds cases and says how large they are.
 pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) -> Result<u8, Error> {
     let mut code = DONE;
@@ -177,7 +191,8 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
         let estimated = load(path, overrides, global).and_then(|loaded| {
             warn(&loaded, global);
             let sizes = sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
-            Ok((sizes, bound(loaded.scene.case())))
+            let course = bound(loaded.scene.case()).map(|bound| (bound, forecast(&loaded.scene, &sizes)));
+            Ok((sizes, course))
         });
         if estimated.is_err() {
             code = USAGE;
@@ -186,8 +201,8 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     }
     if global.json {
         let list = all.iter().map(|(case, found)| match found {
-            Ok((sizes, Some((most, _)))) => {
-                serde_json::json!({ "case": case, "sizes": sizes, "equilibria_at_most": most })
+            Ok((sizes, Some(((most, _), forecast)))) => {
+                serde_json::json!({ "case": case, "sizes": sizes, "equilibria_at_most": most, "forecast": forecast })
             }
             Ok((sizes, None)) => serde_json::json!({ "case": case, "sizes": sizes }),
             Err(error) => {
@@ -200,9 +215,10 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     let (mut built, mut bounds) = (Vec::new(), String::new());
     for (case, found) in all {
         match found {
-            Ok((sizes, bound)) => {
-                if let Some((most, key)) = bound {
-                    bounds += &format!("{case}: at most {most} equilibria, by `{key}`\n");
+            Ok((sizes, course)) => {
+                if let Some(((most, key), forecast)) = course {
+                    let about = forecast.map_or(String::new(), about);
+                    bounds += &format!("{case}: {about}at most {most} equilibria, by `{key}`\n");
                 }
                 built.push((case, sizes));
             }

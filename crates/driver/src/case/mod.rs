@@ -5,6 +5,7 @@ mod amount;
 mod body;
 mod condition;
 mod crack;
+mod drawing;
 mod expectation;
 mod facts;
 mod field;
@@ -47,6 +48,7 @@ pub use condition::{
     Sign, Sine, Steps, Support,
 };
 pub use crack::{CrackDisc, GivenCrack};
+pub use drawing::{Arrows, Drawing, Signs};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
 pub use facts::{FRACTURE_FACTS, PATH_FACTS};
 pub use field::FieldName;
@@ -188,6 +190,9 @@ pub struct Case {
     /// Stress intensities of cracks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stress_intensity: Vec<StressIntensity>,
+    /// How diagrams and maps are drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drawing: Option<Drawing>,
     /// What the results must be.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,

@@ -46,7 +46,7 @@ const OF_TIME: [&str; 8] =
     ["time", "dt", "time_step", "duration", "end_time", "velocity", "damping", "initial_velocity"];
 
 /// What other programs write in another way: their words, a key that stands where they do, and what to write.
-const OTHERWISE: [(&[&str], &str, &str); 3] = [
+const OTHERWISE: [(&[&str], &str, &str); 5] = [
     (
         &["edges", "face", "faces", "side", "boundary"],
         "inward",
@@ -56,6 +56,16 @@ const OTHERWISE: [(&[&str], &str, &str); 3] = [
         &["fix", "fixed", "clamp", "clamped", "dof", "dofs", "constraint", "type", "value", "values"],
         "ux_spring",
         r#"a support names what it prescribes, such as `"ux": 0.0, "uy": 0.0`"#,
+    ),
+    (
+        &["box", "cuboid", "cube", "brick", "prism"],
+        "single_edge_bend",
+        "a body in space is a `block`, with the model of a solid; one in the plane is a `rectangle`",
+    ),
+    (
+        &["quantities", "quantity", "probes", "outputs"],
+        "refine",
+        "the quantities of a study are the probes of its case, and its energy: leave this key out",
     ),
     (
         &["force", "forces", "point_force", "point_load", "nodal", "concentrated"],

@@ -51,6 +51,11 @@ pub fn write_rows(path: &Path, headers: &[&str], rows: &[Vec<String>]) -> io::Re
     super::atomic::write_atomically(path, text.as_bytes())
 }
 
+/// The head of a column: its name, and its unit behind it, such as `uy [mm]`.
+pub fn head(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.into() } else { format!("{name} [{unit}]") }
+}
+
 /// Rows as text.
 fn text(columns: &[(&str, &[f64])], rows: Range<usize>) -> String {
     let mut text = String::with_capacity(rows.len() * columns.len() * 20);

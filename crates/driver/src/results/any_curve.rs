@@ -26,7 +26,7 @@ impl AnyCurve {
     pub(super) fn begin(folder: &Path, scene: &Scene) -> io::Result<Option<Self>> {
         let case = scene.case();
         Ok(if case.fracture.is_some() {
-            Some(Self::Break(Curve::begin(folder, &[])?))
+            Some(Self::Break(Curve::begin(folder, case, &[])?))
         } else if let Some(path) = &case.path {
             Some(Self::Path(PathCurve::begin(folder, case, path, &[])?))
         } else {
@@ -40,7 +40,7 @@ impl AnyCurve {
     /// What the file system reports.
     pub(super) fn resume(folder: &Path, case: &Case, from: &RestartFrom) -> io::Result<Option<Self>> {
         Ok(match (from, &case.path) {
-            (RestartFrom::Break(kept), _) => Some(Self::Break(Curve::begin(folder, &kept.events)?)),
+            (RestartFrom::Break(kept), _) => Some(Self::Break(Curve::begin(folder, case, &kept.events)?)),
             (RestartFrom::Path(kept), Some(path)) => {
                 Some(Self::Path(PathCurve::begin(folder, case, path, &kept.points)?))
             }

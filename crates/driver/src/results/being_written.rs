@@ -135,7 +135,9 @@ impl Results {
         self.write_history(&probes)?;
         self.draw_curve(scene.case())?;
         match &self.envelope {
-            Some(envelope) if is_last => envelope.write(&self.folder.join("envelope.csv")),
+            Some(envelope) if is_last => {
+                envelope.write(&self.folder.join("envelope.csv"), scene.case().units)
+            }
             _ => Ok(()),
         }
     }
@@ -174,7 +176,7 @@ impl Results {
         let is_interrupted = summary.status == Status::Interrupted;
         self.draw_curve(case)?;
         if let Some(envelope) = self.envelope.as_ref().filter(|_| is_interrupted) {
-            envelope.write(&self.folder.join("envelope.csv"))?;
+            envelope.write(&self.folder.join("envelope.csv"), case.units)?;
         }
         if let Some(file) = self.lost() {
             let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
@@ -245,12 +247,12 @@ impl Results {
 
     /// Writes the table of states; `probes` are those of any of them.
     pub(super) fn write_history(&self, probes: &[ProbeResult]) -> io::Result<()> {
-        let mut names = HISTORY.to_vec();
-        names.extend(probes.iter().map(|p| p.name.as_str()));
+        let mut names = HISTORY.map(String::from).to_vec();
+        names.extend(probes.iter().map(|probe| csv::head(&probe.name, &probe.unit)));
         let columns: Vec<Vec<f64>> =
             (0..names.len()).map(|c| self.history.iter().map(|row| row[c]).collect()).collect();
         let columns: Vec<(&str, &[f64])> =
-            names.into_iter().zip(&columns).map(|(name, values)| (name, values.as_slice())).collect();
+            names.iter().zip(&columns).map(|(name, values)| (name.as_str(), values.as_slice())).collect();
         csv::write(&self.folder.join("history.csv"), &columns)
     }
 }

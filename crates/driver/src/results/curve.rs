@@ -2,6 +2,7 @@
 
 use crate::case::{Case, Units};
 use crate::output::atomic;
+use crate::output::csv::head;
 use crate::output::plot::{self, Diagram, Series, Style};
 use crate::run::fracture::Event;
 use std::fmt::Write as _;
@@ -12,8 +13,27 @@ use std::path::Path;
 /// Name of the table.
 pub(super) const FILE: &str = "curve.csv";
 
-const HEADER: &str = "step,solve,load_factor,load,envelope_load_factor,envelope_load,broken_now,broken,island_points,work,stored,released,bond_energy,\
-    unstable_release,balance,iterations,factorisations,residual\n";
+/// The columns; those behind the colons are loads, and energies.
+const COLUMNS: [&str; 18] = [
+    "step",
+    "solve",
+    "load_factor",
+    "load:load",
+    "envelope_load_factor",
+    "envelope_load:load",
+    "broken_now",
+    "broken",
+    "island_points",
+    "work:energy",
+    "stored:energy",
+    "released:energy",
+    "bond_energy:energy",
+    "unstable_release:energy",
+    "balance",
+    "iterations",
+    "factorisations",
+    "residual",
+];
 
 /// The table, open, with all of its rows.
 #[derive(Debug)]
@@ -29,9 +49,9 @@ impl Curve {
     ///
     /// # Errors
     /// What the file system reports.
-    pub(super) fn begin(folder: &Path, events: &[Event]) -> io::Result<Self> {
+    pub(super) fn begin(folder: &Path, case: &Case, events: &[Event]) -> io::Result<Self> {
         let path = folder.join(FILE);
-        let (mut text, mut reached) = (HEADER.to_string(), 0.0_f64);
+        let (mut text, mut reached) = (header(case), 0.0_f64);
         for event in events {
             reached = reached.max(event.load_factor);
             text.push_str(&row(event, reached));
@@ -89,7 +109,7 @@ impl Curve {
             Series { label: "equilibria".into(), style: Style::Thin, points },
             Series { label: "envelope".into(), style: Style::Line, points: envelope },
         ];
-        Diagram { title: title.into(), x_label: "load factor".into(), y_label, series }
+        Diagram { title: title.into(), x_label: "load factor".into(), y_label, series, ..Diagram::default() }
     }
 
     fn energies(&self, title: &str, units: Units) -> Diagram {
@@ -106,16 +126,35 @@ impl Curve {
                 series("stored", |e| e.stored),
                 series("released", |e| e.released),
             ],
+            ..Diagram::default()
         }
     }
 }
 
+/// The first row of the table.
+fn header(case: &Case) -> String {
+    let column = |column: &&str| match column.split_once(':') {
+        Some((name, "load")) => head(name, load_unit(case)),
+        Some((name, _)) => head(name, case.units.moment()),
+        None => (*column).to_string(),
+    };
+    COLUMNS.iter().map(column).collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// Name of the probe that is the load.
+fn load_name(case: &Case) -> &str {
+    case.fracture.as_ref().map_or("load", |fracture| fracture.load.as_str())
+}
+
+/// Unit of the load; empty if it has none.
+fn load_unit(case: &Case) -> &'static str {
+    let probe = case.probes.iter().find(|probe| probe.name == load_name(case));
+    probe.map_or("", |probe| probe.field.about().unit.label(case.units))
+}
+
 /// Name of the load, with its unit.
 fn load_label(case: &Case) -> String {
-    let name = case.fracture.as_ref().map_or("load", |f| f.load.as_str());
-    let probe = case.probes.iter().find(|p| p.name == name);
-    let unit = probe.map(|p| p.field.about().unit.label(case.units));
-    unit.map_or_else(|| name.to_string(), |unit| case.units.label(name, unit))
+    head(load_name(case), load_unit(case))
 }
 
 /// Where the body is if the load factor never falls: at the largest one so far, with the bonds that are left.
@@ -143,6 +182,15 @@ mod tests {
         Event { solve, load_factor: solve as f64 / 3.0, load, work: 0.1, broken: 2, ..Event::default() }
     }
 
+    fn case() -> Case {
+        let text = r#"{ "title": "t", "units": "mm-N-MPa",
+            "model": { "bond_plane": { "youngs_modulus": 1.0, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [8.0, 6.0], "spacing": 1.0 } },
+            "supports": [], "probes": [ { "name": "pull", "at": { "region": "top" }, "field": "reaction_y" } ],
+            "fracture": { "critical": { "stretch": 0.1 }, "load": "pull" } }"#;
+        serde_json::from_str(text).unwrap()
+    }
+
     fn text(folder: &Path) -> String {
         std::fs::read_to_string(folder.join(FILE)).unwrap()
     }
@@ -151,7 +199,7 @@ mod tests {
     fn rows_are_there_at_once_and_a_table_goes_on_from_any_of_them() {
         let folder = tempfile::tempdir().unwrap();
         let events = [event(0, 0.1), event(1, 0.30000000000000004), event(2, 0.2)];
-        let mut curve = Curve::begin(folder.path(), &[]).unwrap();
+        let mut curve = Curve::begin(folder.path(), &case(), &[]).unwrap();
         for (k, event) in events.iter().enumerate() {
             curve.add(event).unwrap();
             assert_eq!(text(folder.path()).lines().count(), k + 2);
@@ -159,9 +207,11 @@ mod tests {
         let whole = text(folder.path());
         let columns: Vec<_> = whole.lines().map(|line| line.split(',').count()).collect();
         assert_eq!(columns, [18; 4]);
+        let head = "step,solve,load_factor,load [N],envelope_load_factor,envelope_load [N],broken_now,broken,island_points,work [N mm],";
+        assert!(whole.starts_with(head), "{whole}");
         let last = "0,2,0.6666666666666666,0.2,0.6666666666666666,0.2,0,2,0,0.1,0.0,0.0,0.0,0.0,0.0,0,0,0.0";
         assert_eq!(whole.lines().last(), Some(last));
-        let mut again = Curve::begin(folder.path(), &events[..1]).unwrap();
+        let mut again = Curve::begin(folder.path(), &case(), &events[..1]).unwrap();
         events[1..].iter().for_each(|event| again.add(event).unwrap());
         assert_eq!(text(folder.path()), whole);
     }
@@ -173,7 +223,7 @@ mod tests {
         let at =
             |(k, &(load_factor, load)): (usize, &(f64, f64))| Event { load_factor, load, ..event(k, load) };
         let events: Vec<Event> = path.iter().enumerate().map(at).collect();
-        let curve = Curve::begin(folder.path(), &events).unwrap();
+        let curve = Curve::begin(folder.path(), &case(), &events).unwrap();
         let found: Vec<String> = text(folder.path())
             .lines()
             .skip(1)
@@ -185,13 +235,7 @@ mod tests {
             curve.loads("t", "load".into()).series[1].points,
             [(0.0, 0.0), (0.5, 2.0), (0.5, 1.5), (1.0, 2.0)]
         );
-        let text = r#"{ "title": "t", "units": "mm-N-MPa",
-            "model": { "bond_plane": { "youngs_modulus": 1.0, "state": "plane_stress" } },
-            "body": { "rectangle": { "size": [8.0, 6.0], "spacing": 1.0 } },
-            "supports": [], "probes": [ { "name": "pull", "at": { "region": "top" }, "field": "reaction_y" } ],
-            "fracture": { "critical": { "stretch": 0.1 }, "load": "pull" } }"#;
-        let case: Case = serde_json::from_str(text).unwrap();
-        curve.draw(folder.path(), &case).unwrap();
+        curve.draw(folder.path(), &case()).unwrap();
         let words = [("load_curve.svg", "load factor"), ("load_curve.svg", "pull [N]")];
         for (file, words) in words.into_iter().chain([("energy.svg", "energy [N mm]")]) {
             let svg = std::fs::read_to_string(folder.path().join(file)).unwrap();

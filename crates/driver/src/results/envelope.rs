@@ -1,7 +1,7 @@
 //! Smallest and largest values of fields over all states.
 
-use super::files::Column;
-use crate::output::csv;
+use super::files::{Column, write_table};
+use crate::units::Units;
 use std::io;
 use std::path::Path;
 
@@ -33,7 +33,7 @@ impl Envelope {
     ///
     /// # Errors
     /// What the file system reports.
-    pub(super) fn write(&self, file: &Path) -> io::Result<()> {
+    pub(super) fn write(&self, file: &Path, units: Units) -> io::Result<()> {
         let of = |(field, bounds): &(&str, Vec<[f64; 2]>)| -> [(String, Vec<f64>); 2] {
             let side =
                 |k: usize, name: &str| (format!("{field}_{name}"), bounds.iter().map(|b| b[k]).collect());
@@ -42,6 +42,6 @@ impl Envelope {
         let bounds: Vec<(String, Vec<f64>)> = self.bounds.iter().flat_map(of).collect();
         let mut table: Vec<(&str, &[f64])> = self.places.iter().map(|(n, v)| (*n, v.as_slice())).collect();
         table.extend(bounds.iter().map(|(name, v)| (name.as_str(), v.as_slice())));
-        csv::write(file, &table)
+        write_table(file, units, &table)
     }
 }

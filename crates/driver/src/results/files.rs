@@ -36,18 +36,28 @@ pub(super) fn is_finished(folder: &Path) -> bool {
 /// A column of a table.
 pub(super) type Column = (&'static str, Vec<f64>);
 
-/// Unit of a column of a field in the units of a case; empty if it has none.
+/// Unit of a column of a place or a field, or of one of its sides, in the units of a case; empty if it has none.
 pub(super) fn unit(column: &str, units: Units) -> &'static str {
+    if ["s", "x", "y", "z"].contains(&column) {
+        return units.length();
+    }
+    let sides = ["_left", "_smallest", "_largest"];
+    let column = sides.iter().find_map(|side| column.strip_suffix(side)).unwrap_or(column);
     let lines = [FieldName::of_beam(true, true), FieldName::of_beam(false, true)];
     let all = lines.into_iter().chain([&FieldName::BODY[..], &FieldName::PLATE[..]]).flatten();
     let found = all.into_iter().find(|field| field.name() == column);
     found.map_or("", |field| field.about().unit.label(units))
 }
 
-/// Writes columns as a table.
-pub(super) fn write_table<'a>(file: &Path, columns: impl Iterator<Item = &'a Column>) -> io::Result<()> {
-    let columns: Vec<(&str, &[f64])> = columns.map(|(name, values)| (*name, values.as_slice())).collect();
-    csv::write(file, &columns)
+/// Writes columns of places and fields as a table, with their units in the units of a case.
+///
+/// # Errors
+/// What the file system reports.
+pub(super) fn write_table(file: &Path, units: Units, columns: &[(&str, &[f64])]) -> io::Result<()> {
+    let heads: Vec<String> = columns.iter().map(|(name, _)| csv::head(name, unit(name, units))).collect();
+    let headed: Vec<(&str, &[f64])> =
+        heads.iter().zip(columns).map(|(head, (_, values))| (head.as_str(), *values)).collect();
+    csv::write(file, &headed)
 }
 
 /// Whether a file is one that was being written when its run was killed.

@@ -3,6 +3,7 @@
 use super::curve::FILE;
 use crate::case::{Case, FieldName, Path as CasePath, Probe};
 use crate::output::atomic;
+use crate::output::csv::head;
 use crate::output::plot::{self, Diagram, Series, Style};
 use crate::run::path::PathPoint;
 use std::fmt::Write as _;
@@ -10,8 +11,9 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
-const HEADER: &str = "step,load_factor,load,work,stored,dissipated,balance,identity,changed,softened,broken,\
-    island_points,iterations,blended,refused,factorisations,residual,negative_eigenvalues,crack_growth,stress_intensity,j_integral";
+/// The columns between the load and what is known of the crack; energies come first.
+const COLUMNS: &str = "balance,identity,changed,softened,broken,island_points,iterations,blended,refused,factorisations,residual,\
+    negative_eigenvalues";
 
 /// The table, open, with all of its rows.
 #[derive(Debug)]
@@ -42,12 +44,7 @@ impl PathCurve {
         points: &[PathPoint],
     ) -> io::Result<Self> {
         let probes: Vec<usize> = (0..case.probes.len()).filter(|&k| has_column(&case.probes[k])).collect();
-        let mut text = HEADER.to_string();
-        for &k in &probes {
-            let name = case.probes[k].name.replace([',', '"'], " ");
-            let _ = write!(text, ",{name}");
-        }
-        text.push('\n');
+        let mut text = header(case, &probes);
         points.iter().for_each(|point| text.push_str(&row(point, &probes)));
         let file = folder.join(FILE);
         atomic::write_atomically(&file, text.as_bytes())?;
@@ -87,8 +84,10 @@ impl PathCurve {
         }
         let units = case.units;
         let length = units.length();
+        let (name, unit) = load(case);
+        let load_label = head(name, unit);
         let all: [(&str, String, &[Line]); 5] = [
-            ("load_curve", self.load_label(case), &[("path", &|p| Some(p.load))]),
+            ("load_curve", load_label, &[("path", &|p| Some(p.load))]),
             (
                 "energy",
                 units.label("energy", units.moment()),
@@ -125,16 +124,36 @@ impl PathCurve {
             Some(k) => case.units.label(&case.probes[k].name, case.units.length()),
             None => "load factor".into(),
         };
-        (!series.is_empty()).then(|| Diagram { title: case.title.clone(), x_label, y_label, series })
+        let title = case.title.clone();
+        (!series.is_empty()).then(|| Diagram { title, x_label, y_label, series, ..Diagram::default() })
     }
+}
 
-    fn load_label(&self, case: &Case) -> String {
-        let name = case.path.as_ref().map_or("load", |p| p.load.as_str());
-        let probe = case.probes.iter().find(|p| p.name == name);
-        let is_force = probe.is_none_or(|p| matches!(p.field, FieldName::ReactionX | FieldName::ReactionY));
-        let unit = if is_force { "N" } else { case.units.length() };
-        case.units.label(name, unit)
-    }
+/// Name of the load and its unit.
+fn load(case: &Case) -> (&str, &'static str) {
+    let name = case.path.as_ref().map_or("load", |p| p.load.as_str());
+    let probe = case.probes.iter().find(|p| p.name == name);
+    (name, probe.map_or(case.units.force(), |probe| probe.field.about().unit.label(case.units)))
+}
+
+/// The first row of the table; `probes` are those with a column.
+fn header(case: &Case, probes: &[usize]) -> String {
+    let units = case.units;
+    let energies = ["work", "stored", "dissipated"].map(|name| head(name, units.moment()));
+    let mut columns = vec!["step".into(), "load_factor".into(), head("load", load(case).1)];
+    columns.extend(energies);
+    columns.push(COLUMNS.into());
+    columns.extend([
+        head("crack_growth", units.length()),
+        head("stress_intensity", units.stress_intensity()),
+        head("j_integral", units.force_per_length()),
+    ]);
+    let of_probe = |k: &usize| {
+        let probe = &case.probes[*k];
+        head(&probe.name.replace([',', '"'], " "), probe.field.about().unit.label(units))
+    };
+    columns.extend(probes.iter().map(of_probe));
+    columns.join(",") + "\n"
 }
 
 /// A row of the table; `probes` are those with a column.

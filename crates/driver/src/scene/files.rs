@@ -39,6 +39,20 @@ pub(super) fn text(
     text.map_err(refuse).ok()
 }
 
+/// The number of a column in the head of a table, where names may have their unit behind them, such as `uy [mm]`; `unit` is that of
+/// the case, empty if there is none.
+pub(super) fn column(heads: &[&str], name: &str, unit: &str) -> Result<usize, String> {
+    let behind = |head: &&str| Some(head.strip_prefix(name)?.trim_start().to_string());
+    let is_unit = |rest: &String| rest.is_empty() || rest.starts_with('[');
+    let found = heads.iter().map(behind).enumerate().find_map(|(k, rest)| Some((k, rest.filter(is_unit)?)));
+    let (number, given) = found.ok_or_else(|| format!("has no column `{name}`"))?;
+    if given.is_empty() || given == format!("[{unit}]") {
+        return Ok(number);
+    }
+    let own = if unit.is_empty() { "no unit".into() } else { format!("[{unit}]") };
+    Err(format!("has `{name}` in {given}, and the case in {own}"))
+}
+
 /// Files of a case, which then names them as its results do: results need nothing that lies outside of them to be run again.
 pub(super) fn keep(case: &mut Case, folder: &Folder, max_memory: Option<u64>) -> Vec<InputFile> {
     let mut kept: Vec<InputFile> = Vec::new();

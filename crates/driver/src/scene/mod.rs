@@ -4,6 +4,7 @@
 
 pub mod beam;
 pub mod body;
+mod drawing;
 mod expansion;
 mod expectation;
 mod files;
@@ -84,6 +85,7 @@ impl Scene {
         mass::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
         check_library(&case, &mut faults);
+        drawing::check(&case, &mut faults);
         let bends = case.model.keys().is_ok_and(|keys| keys.bends());
         if !bends {
             plates_only::refuse(&case, &mut faults);
@@ -98,7 +100,10 @@ impl Scene {
             Err(beam) => BeamScene::new(case, beam, folder, max_memory, faults)
                 .map(|scene| Self::Beam(Box::new(scene))),
         };
-        resolved.map_err(|faults| faults.into_report(file, text))
+        let refuse = |faults: Faults| faults.into_report(file, text);
+        let scene = resolved.map_err(refuse)?;
+        let faults = drawing::check_maps(&scene);
+        if faults.has_errors() { Err(refuse(faults)) } else { Ok(scene) }
     }
 
     /// The case with its defaults filled in.

@@ -20,3 +20,14 @@ pub(crate) fn placed(at: [f64; 3], body: &PointBody, number: impl Fn(f64) -> Str
     let numbers: Vec<String> = at[..body.axes()].iter().map(|x| number(*x)).collect();
     format!("({})", numbers.join(", "))
 }
+
+/// What else to say of a place at a distance from a body: if that is very much longer than the body, units are mixed up.
+pub(crate) fn far(distance: f64, body: &PointBody) -> &'static str {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    body.visit(|at| (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k]))));
+    let size = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+    match distance > 20.0 * size {
+        true => ", and the body is much smaller than its distance from there: give all lengths in one unit",
+        false => "",
+    }
+}

@@ -252,7 +252,10 @@ fn refined(case: &Case, step: &Step) -> Result<Vec<String>, String> {
 fn at_ratio(case: &Case, factor: f64, ratio: f64) -> Result<Overrides, String> {
     let of_length = || Some(case.horizon? / case.spacing()?);
     let Some(base) = case.horizon_ratio.or_else(of_length) else {
-        return Err("the base case must give `horizon_ratio`, from which its horizon follows".into());
+        let set = r#"`"set": { "horizon_ratio": 3 }` in the study does"#;
+        return Err(format!(
+            "the base case must give `horizon_ratio`, from which its horizon follows: {set}"
+        ));
     };
     let mut overrides = case.with_spacing_over(factor * ratio / base)?;
     overrides.push(match case.horizon {

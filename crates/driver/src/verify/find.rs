@@ -60,6 +60,8 @@ pub(super) fn other_than_case(path: &Path, max_memory: Option<u64>) -> Option<&'
         Some("schema")
     } else if has(&"case") && !has(&"model") {
         Some("study")
+    } else if ["materials", "profiles"].iter().any(has) && !has(&"model") {
+        Some("library")
     } else {
         (!CASE.iter().any(has)).then_some("no case")
     }

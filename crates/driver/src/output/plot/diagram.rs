@@ -39,6 +39,8 @@ pub struct Diagram {
     pub x_label: String,
     /// Name and unit of y.
     pub y_label: String,
+    /// Whether y grows downwards.
+    pub downwards: bool,
     /// What is drawn, the first lowest.
     pub series: Vec<Series>,
 }
@@ -56,7 +58,7 @@ pub fn write(path: &Path, diagram: &Diagram) -> io::Result<()> {
 pub fn render(diagram: &Diagram) -> io::Result<String> {
     let points = || diagram.series.iter().flat_map(|series| &series.points);
     let x = Scale::new(points().map(|p| p.0), 0.0, 8.0);
-    let y = Scale::new(points().map(|p| p.1), 0.09, 6.0);
+    let y = Scale::new(points().map(|p| p.1), 0.09, 6.0).map(|y| y.turned(diagram.downwards));
     let (Some(x), Some(y)) = (x, y) else {
         let message = format!("diagram `{}` has no points, or one that is not finite", diagram.title);
         return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
@@ -70,7 +72,13 @@ mod tests {
 
     fn diagram(points: Vec<(f64, f64)>, style: Style) -> Diagram {
         let series = vec![Series { label: "a & b".to_string(), style, points }];
-        Diagram { title: "<t>".to_string(), x_label: "x".to_string(), y_label: "y".to_string(), series }
+        Diagram {
+            title: "<t>".to_string(),
+            x_label: "x".to_string(),
+            y_label: "y".to_string(),
+            series,
+            ..Diagram::default()
+        }
     }
 
     #[test]

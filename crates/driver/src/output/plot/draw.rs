@@ -97,7 +97,7 @@ fn draw(canvas: &Canvas<'_>, diagram: &Diagram, x: &Scale, y: &Scale) -> Drawn {
     }
     names(canvas, diagram, x, y, top)?;
     if let Some(series) = diagram.series.first() {
-        extremes(canvas, &series.points, |p| chart.backend_coord(&p))?;
+        extremes(canvas, (&series.points, diagram.downwards), |p| chart.backend_coord(&p))?;
     }
     Ok(canvas.present()?)
 }
@@ -155,11 +155,16 @@ fn legend(canvas: &Canvas<'_>, diagram: &Diagram) -> Drawn<i32> {
 }
 
 /// Marks the largest value if it is above zero and the smallest if it is below.
-fn extremes(canvas: &Canvas<'_>, points: &[(f64, f64)], place: impl Fn((f64, f64)) -> (i32, i32)) -> Drawn {
+fn extremes(
+    canvas: &Canvas<'_>,
+    (points, downwards): (&[(f64, f64)], bool),
+    place: impl Fn((f64, f64)) -> (i32, i32),
+) -> Drawn {
     let by_y = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
     let largest = points.iter().rev().max_by(by_y).filter(|p| p.1 > 0.0);
     let smallest = points.iter().min_by(by_y).filter(|p| p.1 < 0.0);
-    for (point, side) in [(largest, -1), (smallest, 1)] {
+    let out = if downwards { -1 } else { 1 };
+    for (point, side) in [(largest, -out), (smallest, out)] {
         let Some(&point) = point else { continue };
         let (x, y) = place(point);
         canvas.draw(&Circle::new((x, y), 4 * FINE, COLORS[0].filled()))?;

@@ -1,6 +1,7 @@
 //! Maps: bodies in the plane as coloured cells, with a colour bar. The SVG is written by hand: cells of one colour share a
 //! path, so that a map stays small.
 
+use super::marks::{self, Isoline};
 use super::patch::{Light, Patch, color};
 use super::scale::{Scale, short};
 use crate::output::{atomic, xml};
@@ -25,6 +26,10 @@ pub struct Map {
     pub ghost: Vec<[[f64; 2]; 4]>,
     /// Lines over the cells, such as cracks.
     pub lines: Vec<Vec<[f64; 2]>>,
+    /// Where the field has round values.
+    pub isolines: Vec<Isoline>,
+    /// Arrows over all else, each from its first place to its second.
+    pub arrows: Vec<[[f64; 2]; 2]>,
 }
 
 /// Width in pixels; room at the sides, for the heading, and for the colour bar.
@@ -110,6 +115,8 @@ pub fn render_map(map: &Map) -> io::Result<String> {
     svg.push_str("<g shape-rendering=\"crispEdges\">\n");
     cells(&mut svg, map, &view, &scale);
     svg.push_str("</g>\n");
+    let place = |at: [f64; 2]| view.place(at);
+    marks::isolines(&mut svg, &map.isolines, &place, &short);
     for line in &map.lines {
         let points: Vec<String> =
             line.iter().map(|&at| view.place(at)).map(|[x, y]| format!("{x},{y}")).collect();
@@ -122,6 +129,7 @@ pub fn render_map(map: &Map) -> io::Result<String> {
             );
         }
     }
+    marks::arrows(&mut svg, &map.arrows, &place);
     bar(&mut svg, map, &scale, view.bottom + 26.0);
     svg.push_str("</svg>\n");
     Ok(svg)
@@ -222,7 +230,7 @@ fn bar(svg: &mut String, map: &Map, scale: &Scale, y: f64) {
     text(svg, [left + LENGTH + 8.0, y + 10.5], 12, "start", " font-weight=\"bold\"", &short(high));
 }
 
-fn text(svg: &mut String, [x, y]: [f64; 2], size: u32, anchor: &str, style: &str, words: &str) {
+pub(super) fn text(svg: &mut String, [x, y]: [f64; 2], size: u32, anchor: &str, style: &str, words: &str) {
     let _ = writeln!(
         svg,
         "<text x=\"{:.0}\" y=\"{:.0}\" font-size=\"{}\" text-anchor=\"{anchor}\" {FONT}{style}>{}</text>",

@@ -20,6 +20,8 @@ pub(super) struct Scale {
     /// Power of ten, a multiple of 3, that tick labels leave out.
     exponent: i32,
     decimals: usize,
+    /// Whether it runs the other way.
+    turned: bool,
 }
 
 impl Scale {
@@ -57,7 +59,12 @@ impl Scale {
         let ticks: Vec<f64> = (first..=last).map(|i| i as f64 * step).collect();
         let exponent = exponent_of(ticks.iter().fold(0.0, |largest: f64, tick| largest.max(tick.abs())));
         let decimals = -(step.log10() + 1e-9).floor() as i32 + exponent;
-        Some(Scale { low, high, ticks, exponent, decimals: decimals.max(0) as usize })
+        Some(Scale { low, high, ticks, exponent, decimals: decimals.max(0) as usize, turned: false })
+    }
+
+    /// The same, or running the other way.
+    pub(super) fn turned(self, turned: bool) -> Self {
+        Self { turned, ..self }
     }
 
     /// The label of a tick.
@@ -77,6 +84,7 @@ impl Ranged for Scale {
 
     fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
         let part = (value - self.low) / (self.high - self.low);
+        let part = if self.turned { 1.0 - part } else { part };
         limit.0 + (part * f64::from(limit.1 - limit.0)).round() as i32
     }
 
@@ -94,6 +102,12 @@ impl ValueFormatter<f64> for Scale {
     fn format_ext(&self, tick: &f64) -> String {
         self.label(*tick)
     }
+}
+
+/// Round values strictly between two others, about `count` of them.
+pub(crate) fn levels([low, high]: [f64; 2], count: usize) -> Vec<f64> {
+    let scale = Scale::new([low, high].into_iter(), 0.0, count as f64);
+    scale.into_iter().flat_map(|scale| scale.ticks).filter(|tick| low < *tick && *tick < high).collect()
 }
 
 /// A number with four digits: `0.004`, `-12.35`, `1.234×10⁻⁶`.

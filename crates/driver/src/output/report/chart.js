@@ -43,7 +43,7 @@ function chart(figure, data) {
     const y = axis(data.y, ys, 0.07, clamp(height / 55, 3, 7));
     const left = 10 + Math.max(...y.ticks.map((tick) => ctx.measureText(y.text(tick)).width));
     const [right, top, bottom] = [width - 16, 30, height - 42];
-    const to = ([a, b]) => [left + x.at(a) * (right - left), bottom - y.at(b) * (bottom - top)];
+    const to = ([a, b]) => [left + x.at(a) * (right - left), bottom - (data.y.turned ? 1 - y.at(b) : y.at(b)) * (bottom - top)];
     ctx.textBaseline = 'middle';
     ctx.strokeStyle = color('rule');
     ctx.fillStyle = color('faint');

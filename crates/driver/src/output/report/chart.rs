@@ -38,17 +38,19 @@ pub struct Axis {
     pub label: String,
     /// Whether it is logarithmic; values that are not positive are then left out.
     pub log: bool,
+    /// Whether it runs the other way, downwards.
+    pub turned: bool,
 }
 
 impl Axis {
     /// A linear axis.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), log: false }
+        Self { label: label.into(), ..Self::default() }
     }
 
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), log: true }
+        Self { label: label.into(), log: true, ..Self::default() }
     }
 }
 
@@ -142,7 +144,7 @@ pub(super) fn render(out: &mut String, chart: &Chart) {
         json!({ "order": s.order, "x": ends[0], "y": ends[1], "to": ends[2] })
     };
     let is_log = chart.x.log && chart.y.log;
-    let axis = |axis: &Axis| json!({ "label": axis.label, "log": axis.log });
+    let axis = |axis: &Axis| json!({ "label": axis.label, "log": axis.log, "turned": axis.turned });
     let data = json!({
         "x": axis(&chart.x),
         "y": axis(&chart.y),
@@ -225,7 +227,7 @@ mod tests {
     use super::*;
 
     fn chart(points: Vec<(f64, f64)>, log: bool) -> Chart {
-        let axis = |label: &str| Axis { label: label.into(), log };
+        let axis = |label: &str| Axis { label: label.into(), log, ..Axis::default() };
         let series = vec![Series { label: "a".into(), look: Look::Marked, points }];
         Chart { title: "t".into(), x: axis("x"), y: axis("y"), series, ..Chart::default() }
     }

@@ -17,7 +17,7 @@ pub(super) fn picture(scene: &BeamScene, frame: &FrameLayout, result: &BeamResul
     let moment = scene.units.moment();
     let mut views = vec![deformed(scene, frame, result, most)];
     // A positive moment stretches the side of −w.
-    views.extend(forces(frame, result, FieldName::M, most).map(|shapes| View {
+    views.extend(forces(frame, result, (FieldName::M, 1.0), most).map(|shapes| View {
         name: "bending moment M".into(),
         unit: moment.into(),
         note: "on the side in tension".into(),
@@ -25,9 +25,14 @@ pub(super) fn picture(scene: &BeamScene, frame: &FrameLayout, result: &BeamResul
         shapes,
         ..View::default()
     }));
-    let rest = [("shear force V", FieldName::V, ""), ("axial force N", FieldName::N, "tension positive")];
-    views.extend(rest.into_iter().filter_map(|(name, field, note)| {
-        let shapes = forces(frame, result, field, most)?;
+    let signs = scene.case.drawing.unwrap_or_default().signs;
+    let shear_note = signs.shear_note().trim_start_matches(", ");
+    let rest = [
+        ("shear force V", (FieldName::V, signs.of_shear()), shear_note),
+        ("axial force N", (FieldName::N, 1.0), "tension positive"),
+    ];
+    views.extend(rest.into_iter().filter_map(|(name, force, note)| {
+        let shapes = forces(frame, result, force, most)?;
         let (name, unit, note) = (name.into(), scene.units.force().into(), note.into());
         Some(View { name, unit, note, factor: 1.0, shapes, ..View::default() })
     }));
@@ -83,15 +88,20 @@ fn deformed(scene: &BeamScene, frame: &FrameLayout, result: &BeamResult, most: u
     }
 }
 
-/// A section force across the members, on their left where the value is positive; none if it was not recovered.
-fn forces(frame: &FrameLayout, result: &BeamResult, field: FieldName, most: usize) -> Option<Vec<Shape>> {
+/// A section force times a sign across the members, on their left where the value is positive; none if it was not recovered.
+fn forces(
+    frame: &FrameLayout,
+    result: &BeamResult,
+    (field, sign): (FieldName, f64),
+    most: usize,
+) -> Option<Vec<Shape>> {
     let [low, high] = result.extremes(field)?;
     let largest = low.0.abs().max(high.0.abs());
     let unit = if largest > 0.0 { HEIGHT * size(frame) / largest } else { 0.0 };
     let mut shapes = Vec::new();
     for (number, (line, member)) in result.lines.iter().zip(&frame.members).enumerate() {
         let ([c, s], [x0, y0]) = (line.direction, line.origin);
-        let points: Vec<(f64, f64)> = thin(&curve(line, result, field, number)?, most);
+        let points: Vec<(f64, f64)> = thin(&curve(line, result, field, (number, sign))?, most);
         shapes.push(Shape {
             name: member.name.clone(),
             part: Part::Area,

@@ -48,7 +48,9 @@ pub(super) fn write(
     let fields: Vec<Column> = fields(result).collect();
     let file = |extension: &str| folder.join("fields").join(format!("{name}.{extension}"));
     if kept.tables {
-        write_table(&file("csv"), places.iter().chain(&fields).chain(&left))?;
+        let all = places.iter().chain(&fields).chain(&left);
+        let columns: Vec<(&str, &[f64])> = all.map(|(name, values)| (*name, values.as_slice())).collect();
+        write_table(&file("csv"), scene.units, &columns)?;
     }
     if kept.grids {
         write_grid(&file("vtu"), scene.units, &fields, result)?;

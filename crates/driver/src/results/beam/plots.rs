@@ -1,6 +1,6 @@
 //! Diagrams of a state of a beam, with its closed form where a check names one.
 
-use crate::case::FieldName;
+use crate::case::{FieldName, Signs};
 use crate::output::plot::{Diagram, Series, Style};
 use crate::reference::{Field, Solution};
 use crate::run::beam::BeamResult;
@@ -19,24 +19,37 @@ pub(super) fn title(scene: &BeamScene, result: &BeamResult) -> String {
 pub(super) fn diagrams(scene: &BeamScene, result: &BeamResult) -> Vec<(&'static str, Diagram)> {
     let units = scene.units;
     let (length, moment) = (units.length(), units.moment());
+    let signs = scene.case.drawing.unwrap_or_default().signs;
     let fields = [
         ("deflection", Field::W, units.label("deflection w", length)),
         ("rotation", Field::Phi, "rotation φ [rad]".into()),
-        ("moment", Field::M, units.label("bending moment M", moment)),
-        ("shear", Field::V, units.label("shear force V", "N")),
+        ("moment", Field::M, units.label("bending moment M", moment) + moment_note(signs)),
+        ("shear", Field::V, units.label("shear force V", "N") + signs.shear_note()),
     ];
     let diagram = |(file, field, y_label): (&'static str, Field, String)| {
-        let points = curve(result, field)?;
+        let sign = if field == Field::V { signs.of_shear() } else { 1.0 };
+        let signed = |points: Vec<(f64, f64)>| points.into_iter().map(|(x, y)| (x, sign * y)).collect();
+        let points = signed(curve(result, field)?);
         let mut series = Vec::new();
-        if let Some(points) = closed_form(scene, result, field) {
+        if let Some(points) = closed_form(scene, result, field).map(signed) {
             series.push(Series { label: "closed form".into(), style: Style::Line, points });
         }
         let style = if series.is_empty() { Style::Line } else { Style::Dots };
         series.push(Series { label: "peristat".into(), style, points });
-        let title = title(scene, result);
-        Some((file, Diagram { title, x_label: units.label("x", length), y_label, series }))
+        let (title, x_label) = (title(scene, result), units.label("x", length));
+        let downwards = field == Field::M && signs == Signs::TensionSide;
+        Some((file, Diagram { title, x_label, y_label, downwards, series }))
     };
     fields.into_iter().filter_map(diagram).collect()
+}
+
+/// What the diagram of moments says of their side.
+fn moment_note(signs: Signs) -> &'static str {
+    match signs {
+        Signs::Fields => "",
+        Signs::Structural => ", sagging positive",
+        Signs::TensionSide => ", on the side in tension",
+    }
 }
 
 /// A field along the beam; section forces take both values of a point where they jump.

@@ -1,8 +1,8 @@
 //! Fields along lines through a body: a table and two diagrams each.
 
 use crate::case::FieldName;
-use crate::output::csv;
 use crate::output::plot::{Diagram, Series, Style};
+use crate::results::files::write_table;
 use crate::run::body::BodyResult;
 use crate::scene::body::{BodyScene, OutputLine};
 use std::io;
@@ -24,7 +24,7 @@ pub(super) fn write(
         columns.extend(axes.map(|(k, axis)| (axis, inside().map(|p| p.position[k]).collect())));
         columns.extend(result.fields().map(|f| (f.name(), along(line, scene, result, f))));
         let columns: Vec<(&str, &[f64])> = columns.iter().map(|(n, v)| (*n, v.as_slice())).collect();
-        csv::write(&file(&line.name), &columns)?;
+        write_table(&file(&line.name), scene.units, &columns)?;
     }
     Ok(())
 }
@@ -66,6 +66,7 @@ pub(super) fn diagrams(scene: &BodyScene, result: &BodyResult, title: &str) -> V
                 x_label: units.label("distance along the line", length),
                 y_label: label.clone(),
                 series: fields.iter().filter(there_are).map(series).collect(),
+                ..Diagram::default()
             };
             all.push((format!("line_{}_{kind}", line.name), diagram));
         }

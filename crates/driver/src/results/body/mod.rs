@@ -5,6 +5,7 @@ mod blocks;
 mod cells;
 mod crack_surface;
 mod lines;
+mod marks;
 mod plots;
 mod raster;
 mod report;
@@ -13,11 +14,10 @@ mod solid;
 mod surface;
 
 use super::envelope::Envelope;
-use super::files;
+use super::files::{self, write_table};
 use super::kept::FieldFiles;
 use super::report::chart;
 use crate::case::{FieldName, Unit};
-use crate::output::csv;
 use crate::output::plot;
 use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
@@ -68,7 +68,7 @@ pub(super) fn write(
         .chain(fields.iter().map(|(name, values)| (*name, &values[..])))
         .collect();
     if kept.tables {
-        csv::write(&file(name, "csv"), &columns)?;
+        write_table(&file(name, "csv"), scene.units, &columns)?;
     }
     if let Some(envelope) = envelope {
         for field in ENVELOPE {

@@ -1,10 +1,11 @@
 //! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
 
 use super::apart::Side;
+use super::marks;
 use super::raster::Raster;
 use super::surface;
-use crate::case::FieldName;
-use crate::output::plot::{self, Map, Patch, write_map};
+use crate::case::{Arrows, FieldName};
+use crate::output::plot::{self, Isoline, Map, Patch, write_map};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
@@ -25,11 +26,13 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
     }
     let raster = Raster::new(scene);
     let apart = raster.between(&result.parted(scene));
+    let torn = [raster.torn(&scene.crack_paths()), apart.clone()].concat();
+    let drawing = scene.case.drawing.unwrap_or_default();
     let corners: Vec<_> = raster.corners().collect();
     let given = scene.cracks.iter().map(|c| c.crack.vertices().to_vec());
     let grown = apart.iter().filter_map(|&side| raster.faces(side, &corners).into_iter().next());
     let lines: Vec<Vec<[f64; 2]>> = given.chain(grown).collect();
-    write_map(&folder.join("displacement.svg"), &displacement(scene, result, (&raster, &apart), &title))?;
+    write_map(&folder.join("displacement.svg"), &displacement(scene, result, (&raster, &torn), &title))?;
     let stress = scene.units.label("von Mises stress", scene.units.stress());
     let deflection = scene.units.label("w, outwards", scene.units.length());
     let fields = [
@@ -39,17 +42,20 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
     ];
     for (file, field, label) in fields.into_iter().filter(|f| result.fields().any(|own| own == f.1)) {
         let Some(values) = result.values(scene, field) else { continue };
-        let patches = raster.corners().zip(raster.means(&values));
-        let (range, note) = range(scene, &values);
-        let map = Map {
-            title: title.clone(),
-            note,
-            label: label.into(),
-            range,
-            patches: patches.map(|(corners, value)| Patch::flat(corners, value)).collect(),
-            lines: lines.clone(),
-            ..Map::default()
-        };
+        let means = raster.means(&values);
+        let (range, mut note) = range(scene, &values);
+        let isolines = isolines(scene, (&raster, &torn), (&means, &corners), range);
+        let mut arrows = Vec::new();
+        if field == FieldName::VonMises && drawing.arrows == Some(Arrows::PrincipalStress) {
+            note += "; arrows: principal stresses, inwards in compression";
+            let stresses = [FieldName::StressXx, FieldName::StressYy, FieldName::StressXy];
+            let means = |field| raster.means(&result.values(scene, field).unwrap_or_default());
+            arrows = marks::principal_stresses(&raster, &stresses.map(means));
+        }
+        let patches =
+            corners.iter().zip(means).map(|(corners, value)| Patch::flat(*corners, value)).collect();
+        let (title, label, lines) = (title.clone(), label.into(), lines.clone());
+        let map = Map { title, note, label, range, patches, lines, isolines, arrows, ..Map::default() };
         write_map(&folder.join(format!("{file}.svg")), &map)?;
     }
     Ok(())
@@ -94,10 +100,16 @@ fn displacement(
     let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
     let (range, note) = range(scene, &size);
     let factor = magnification(size_of(scene), range[1]);
-    let apart = [raster.torn(&scene.crack_paths()), apart.to_vec()].concat();
-    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &apart);
+    let means = [raster.means(&ux), raster.means(&uy)];
+    let corners = raster.deformed(&means, factor, apart);
     let lines = apart.iter().flat_map(|&side| raster.faces(side, &corners)).collect();
-    let patches = corners.into_iter().zip(raster.means(&size));
+    let sizes = raster.means(&size);
+    let isolines = isolines(scene, (raster, apart), (&sizes, &corners), range);
+    let arrows = match scene.case.drawing.unwrap_or_default().arrows {
+        Some(Arrows::Displacement) => marks::displacements(raster, &means, factor),
+        _ => Vec::new(),
+    };
+    let patches = corners.into_iter().zip(sizes);
     Map {
         title: title.into(),
         note: format!("deformed shape, displacements times {factor}; {note}"),
@@ -106,5 +118,20 @@ fn displacement(
         patches: patches.map(|(corners, value)| Patch::flat(corners, value)).collect(),
         ghost: raster.corners().collect(),
         lines,
+        isolines,
+        arrows,
     }
+}
+
+/// The isolines that the case asks for, of means over blocks with some corners.
+fn isolines(
+    scene: &BodyScene,
+    (raster, apart): (&Raster, &[Side]),
+    (means, corners): (&[f64], &[[[f64; 2]; 4]]),
+    range: [f64; 2],
+) -> Vec<Isoline> {
+    let Some(count) = scene.case.drawing.and_then(|drawing| drawing.isolines) else { return Vec::new() };
+    let middle = |c: &[[f64; 2]; 4]| [0, 1].map(|k| 0.25 * (c[0][k] + c[1][k] + c[2][k] + c[3][k]));
+    let middles: Vec<[f64; 2]> = corners.iter().map(middle).collect();
+    marks::isolines(raster, (means, &middles), apart, (range, count))
 }

@@ -1,7 +1,7 @@
 //! Reactions along the lines that supports hold: a table of all, and a diagram of each.
 
-use crate::output::csv;
 use crate::output::plot::{Diagram, Series, Style};
+use crate::results::files::write_table;
 use crate::run::PlateResult;
 use crate::scene::PlateScene;
 use std::io;
@@ -26,7 +26,7 @@ pub(super) fn write(file: &Path, scene: &PlateScene, result: &PlateResult) -> io
             columns.iter_mut().zip(row).for_each(|(column, value)| column.1.push(value));
         }
     }
-    csv::write(file, &columns.each_ref().map(|(name, values)| (*name, values.as_slice())))
+    write_table(file, scene.units, &columns.each_ref().map(|(name, values)| (*name, values.as_slice())))
 }
 
 /// The reaction per length along every edge or line that is held: all of one direction in one diagram.
@@ -50,6 +50,7 @@ pub(super) fn diagrams(scene: &PlateScene, result: &PlateResult, title: &str) ->
             x_label: units.label(name, units.length()),
             y_label: units.label("reaction per length", units.force_per_length()),
             series: series.collect(),
+            ..Diagram::default()
         };
         (format!("supports_along_{name}"), diagram)
     };

@@ -1,8 +1,8 @@
 //! Fields along lines through a plate: a table and three diagrams each.
 
 use crate::case::FieldName;
-use crate::output::csv;
 use crate::output::plot::{Diagram, Series, Style};
+use crate::results::files::write_table;
 use crate::run::PlateResult;
 use crate::scene::PlateScene;
 use crate::scene::body::OutputLine;
@@ -25,7 +25,7 @@ pub(super) fn write(
         columns.extend(axes.map(|(k, axis)| (axis, inside().map(|p| p.position[k]).collect())));
         columns.extend(result.fields().map(|field| (field.name(), along(line, result, field))));
         let columns: Vec<(&str, &[f64])> = columns.iter().map(|(n, v)| (*n, v.as_slice())).collect();
-        csv::write(&file(&line.name), &columns)?;
+        write_table(&file(&line.name), scene.units, &columns)?;
     }
     Ok(())
 }
@@ -59,6 +59,7 @@ pub(super) fn diagrams(scene: &PlateScene, result: &PlateResult, title: &str) ->
                 x_label: units.label("distance along the line", units.length()),
                 y_label: label.clone(),
                 series: fields.iter().map(series).collect(),
+                ..Diagram::default()
             };
             all.push((format!("line_{}_{kind}", line.name), diagram));
         }

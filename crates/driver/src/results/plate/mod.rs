@@ -6,11 +6,10 @@ mod lines;
 mod map;
 
 use super::envelope::Envelope;
-use super::files;
+use super::files::{self, write_table};
 use super::kept::FieldFiles;
 use super::report::chart;
 use crate::case::FieldName;
-use crate::output::csv;
 use crate::output::plot::{self, Map, Patch, write_map};
 use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
@@ -46,7 +45,7 @@ pub(super) fn write(
         .chain(fields.iter().map(|(name, values)| (*name, &values[..])))
         .collect();
     if kept.tables {
-        csv::write(&file(name, "csv"), &columns)?;
+        write_table(&file(name, "csv"), scene.units, &columns)?;
     }
     if kept.grids {
         write_grid(&file(name, "vtu"), scene, &fields)?;

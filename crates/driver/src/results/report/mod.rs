@@ -160,7 +160,7 @@ pub(super) fn chart(title: &str, diagram: Diagram) -> Chart {
     Chart {
         title: title.into(),
         x: Axis::linear(diagram.x_label),
-        y: Axis::linear(diagram.y_label),
+        y: Axis { turned: diagram.downwards, ..Axis::linear(diagram.y_label) },
         series: series.collect(),
         ..Chart::default()
     }

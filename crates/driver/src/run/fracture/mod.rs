@@ -4,6 +4,7 @@ mod breaking;
 mod choice;
 mod ending;
 mod event;
+mod forecast;
 mod islands;
 mod ledger;
 mod problem;
@@ -14,6 +15,7 @@ mod tests;
 mod unit;
 
 pub use event::{BreakRestart, Event};
+pub use forecast::{Forecast, forecast};
 pub use problem::Facts;
 pub use report::FractureReport;
 

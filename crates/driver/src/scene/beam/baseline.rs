@@ -2,7 +2,7 @@
 
 use super::checks::Context;
 use crate::diagnostic::{Faults, JsonPath, tidy};
-use crate::scene::files::text;
+use crate::scene::files::{column, text};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 
 /// The stored values of a baseline check, positions and values, if they belong to the points of the scene.
@@ -15,7 +15,8 @@ pub(super) fn stored(
     let text = text(context.folder, &check.file, context.max_memory, path, faults)?;
     let fitting = |stored| fits(stored, context.beam);
     let place = if context.on_frame { "s" } else { "x" };
-    match columns(&text, place, check.field.name()).and_then(fitting) {
+    let units = [context.units.length(), check.field.about().unit.label(context.units)];
+    match columns(&text, [place, check.field.name()], units).and_then(fitting) {
         Ok(stored) => Some(stored),
         Err(reason) => {
             faults.error(path.key("file"), format!("the baseline {} {reason}", check.file));
@@ -41,13 +42,15 @@ fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)
     }
 }
 
-/// The columns `place` and `field` of a CSV text.
-fn columns(text: &str, place: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
+/// The columns `place` and `field` of a CSV text, with their units.
+fn columns(
+    text: &str,
+    [place, field]: [&str; 2],
+    [length, unit]: [&str; 2],
+) -> Result<Vec<(f64, f64)>, String> {
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
-    let column =
-        |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
-    let (x, value) = (column(place)?, column(field)?);
+    let (x, value) = (column(&header, place, length)?, column(&header, field, unit)?);
     let mut stored = Vec::new();
     for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let cells: Vec<&str> = line.split(',').collect();

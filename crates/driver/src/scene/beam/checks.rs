@@ -14,6 +14,7 @@ use crate::reference::{self, Field, Solution};
 use crate::scene::expectation::{self, PointsCheck};
 use crate::scene::words;
 use crate::scene::{Expectation, ExpectationKind};
+use crate::units::Units;
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 
 /// A comparison at all points of a beam.
@@ -63,6 +64,7 @@ pub(super) struct Context<'a> {
     pub(super) on_frame: bool,
     /// The fields that points have.
     pub(super) fields: &'a [FieldName],
+    pub(super) units: Units,
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) held: &'a [HeldPoint],
     pub(super) bars: &'a [RigidBar],

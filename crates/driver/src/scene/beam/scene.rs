@@ -156,6 +156,7 @@ impl BeamScene {
         let context = fracture::Context { beam: &beam, sections: &sections, probes: &probes };
         let breaks = fracture.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
         let context = checks::Context {
+            units: case.units,
             facts: fracture::facts(breaks.as_ref()),
             on_frame: layout.frame.is_some(),
             fields: FieldName::of_beam(layout.frame.is_some(), has_axial),

@@ -215,7 +215,7 @@ fn expectations(
         is_there
     };
     let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| {
-        compare(check, body, (is_field, folder, max_memory), path, faults)
+        compare(check, body, (is_field, case.units), (folder, max_memory), path, faults)
     };
     expectation::expectations(case, &states, &probes, compare, faults)
 }

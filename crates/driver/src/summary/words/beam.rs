@@ -62,18 +62,19 @@ fn section(m: &BeamSummary, units: Units) -> String {
 }
 
 /// Smallest and largest section forces of members, forces of supports, and which of them act.
-pub(super) fn forces(beam: &BeamForces) -> Vec<Listing> {
-    [members(beam), reactions(beam), joint_reactions(beam), one_way(beam)].into_iter().flatten().collect()
+pub(super) fn forces(beam: &BeamForces, units: Units) -> Vec<Listing> {
+    let all = [members(beam, units), reactions(beam, units), joint_reactions(beam, units), one_way(beam)];
+    all.into_iter().flatten().collect()
 }
 
 /// Smallest and largest section forces of every member of a frame.
-fn members(beam: &BeamForces) -> Option<Listing> {
+fn members(beam: &BeamForces, units: Units) -> Option<Listing> {
     // What is rounding beside the forces of the whole frame reads as zero.
     let largest = |of: fn(&MemberForces) -> [f64; 2]| {
         beam.members.iter().flat_map(of).fold(0.0, |a: f64, v| a.max(v.abs()))
     };
-    let force = largest(|m| m.axial).max(largest(|m| m.shear));
-    let scales = [force, force, largest(|m| m.moment)];
+    let size = largest(|m| m.axial).max(largest(|m| m.shear));
+    let scales = [size, size, largest(|m| m.moment)];
     let row = |m: &MemberForces| {
         let mut cells = vec![m.name.clone()];
         for (range, scale) in [m.axial, m.shear, m.moment].into_iter().zip(scales) {
@@ -82,12 +83,14 @@ fn members(beam: &BeamForces) -> Option<Listing> {
         cells
     };
     let rows: Vec<Vec<String>> = beam.members.iter().take(MOST_ROWS).map(row).collect();
-    let header = ["member", "N smallest", "largest", "V smallest", "largest", "M smallest", "largest"];
+    let (force, moment) = (|name| units.label(name, units.force()), |name| units.label(name, units.moment()));
+    let [n, v, m] = [force("N smallest"), force("V smallest"), moment("M smallest")];
+    let header = ["member", &n, "largest", &v, "largest", &m, "largest"];
     Listing::new(&header, rows, beam.members.len(), "members")
 }
 
 /// Forces of the supports of lines.
-fn reactions(beam: &BeamForces) -> Option<Listing> {
+fn reactions(beam: &BeamForces, units: Units) -> Option<Listing> {
     let has_axial = beam.reactions.iter().any(|r| r.axial.is_some());
     let row = |r: &Reaction| {
         let mut cells = vec![format!("x = {}", number(r.x)), number(r.force), number(r.moment)];
@@ -95,12 +98,13 @@ fn reactions(beam: &BeamForces) -> Option<Listing> {
         cells
     };
     let rows: Vec<Vec<String>> = beam.reactions.iter().map(row).collect();
-    let header = ["support", "force", "moment", "along x"];
+    let (force, along) = (units.label("force", units.force()), units.label("along x", units.force()));
+    let header = ["support", &force, &units.label("moment", units.moment()), &along];
     Listing::new(&header[..if has_axial { 4 } else { 3 }], rows, beam.reactions.len(), "supports")
 }
 
 /// Forces of the supports of a frame.
-fn joint_reactions(beam: &BeamForces) -> Option<Listing> {
+fn joint_reactions(beam: &BeamForces, units: Units) -> Option<Listing> {
     let all = &beam.joint_reactions;
     let size = all.iter().flat_map(|r| [r.force_x, r.force_y]).fold(0.0, |a: f64, f| a.max(f.abs()));
     let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
@@ -111,7 +115,9 @@ fn joint_reactions(beam: &BeamForces) -> Option<Listing> {
         cells
     };
     let rows: Vec<Vec<String>> = all.iter().take(MOST_ROWS).map(row).collect();
-    let header = ["support", "force x", "force y", "moment", "inclined"];
+    let [x, y, inclined_force] =
+        ["force x", "force y", "inclined"].map(|name| units.label(name, units.force()));
+    let header = ["support", &x, &y, &units.label("moment", units.moment()), &inclined_force];
     Listing::new(&header[..if inclined { 5 } else { 4 }], rows, all.len(), "supports")
 }
 

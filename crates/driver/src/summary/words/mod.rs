@@ -83,7 +83,7 @@ pub fn course(summary: &Summary) -> Option<Vec<Fact>> {
 /// Forces of members and of what holds the body, and the resultants of all that acts on it.
 pub fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
     let mut tables = match &state.forces {
-        Forces::Beam(forces) => beam::forces(forces),
+        Forces::Beam(forces) => beam::forces(forces, units),
         Forces::Body(forces) => body::forces(forces, units),
         Forces::Plate(forces) => plate::forces(forces, units),
     };
@@ -98,7 +98,12 @@ pub fn envelope(summary: &Summary) -> Option<Listing> {
         .iter()
         .map(|(field, [low, high])| {
             let place = |e: &(String, Located)| format!("{} at {}", e.0, place(&e.1));
-            vec![field.to_string(), number(low.1.value), place(low), number(high.1.value), place(high)]
+            let unit = summary.states.iter().find_map(|state| Some(state.extremes.get(field)?.unit.as_str()));
+            let field = match unit {
+                None | Some("") => field.to_string(),
+                Some(unit) => format!("{field} [{unit}]"),
+            };
+            vec![field, number(low.1.value), place(low), number(high.1.value), place(high)]
         })
         .collect();
     let header = ["field", "smallest", "in", "largest", "in"];

@@ -6,9 +6,10 @@ use crate::case::{Baseline, Case, FieldName, Formula};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use crate::scene::expectation::{self, Expectation, PointsCheck};
-use crate::scene::files::{BASELINE, text};
+use crate::scene::files::{BASELINE, column, text};
 use crate::scene::formula;
 use crate::scene::words;
+use crate::units::Units;
 use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 
@@ -48,7 +49,7 @@ pub(crate) fn expectations(
         is_there
     };
     let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| {
-        compare(check, body, (is_field, folder, max_memory), path, faults)
+        compare(check, body, (is_field, case.units), (folder, max_memory), path, faults)
     };
     expectation::expectations(case, states, probes, compare, faults)
 }
@@ -57,11 +58,8 @@ pub(crate) fn expectations(
 pub(in crate::scene) fn compare(
     check: PointsCheck,
     body: &PointBody,
-    (is_field, folder, max_memory): (
-        impl Fn(FieldName, &JsonPath, &mut Faults) -> bool,
-        &Folder,
-        Option<u64>,
-    ),
+    (is_field, units): (impl Fn(FieldName, &JsonPath, &mut Faults) -> bool, Units),
+    (folder, max_memory): (&Folder, Option<u64>),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<BodyComparison> {
@@ -73,7 +71,7 @@ pub(in crate::scene) fn compare(
             None
         }
         PointsCheck::Baseline(check) => is_field(check.field, path, faults)
-            .then(|| of_baseline(check, body, (folder, max_memory), path, faults))?,
+            .then(|| of_baseline(check, (body, units), (folder, max_memory), path, faults))?,
         PointsCheck::Formula(check) => {
             is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
         }
@@ -105,13 +103,13 @@ fn of_formula(
 
 fn of_baseline(
     check: &Baseline,
-    body: &PointBody,
+    (body, units): (&PointBody, Units),
     (folder, max_memory): (&Folder, Option<u64>),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<BodyComparison> {
     let text = text(folder, &check.file, max_memory, path, faults)?;
-    match columns(&text, body.axes(), check.field.name()).and_then(|rows| fitting(&rows, body)) {
+    match columns(&text, body.axes(), check.field, units).and_then(|rows| fitting(&rows, body)) {
         Ok(expected) => Some(BodyComparison {
             field: check.field,
             expected,
@@ -144,13 +142,12 @@ fn fitting(rows: &[Vec<f64>], body: &PointBody) -> Result<Vec<f64>, String> {
 }
 
 /// The columns of some coordinates and of a field of a CSV text.
-fn columns(text: &str, axes: usize, field: &str) -> Result<Vec<Vec<f64>>, String> {
+fn columns(text: &str, axes: usize, field: FieldName, units: Units) -> Result<Vec<Vec<f64>>, String> {
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
-    let column =
-        |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
-    let names = [&["x", "y", "z"][..axes], &[field]].concat();
-    let wanted: Vec<usize> = names.into_iter().map(column).collect::<Result<_, _>>()?;
+    let places = ["x", "y", "z"][..axes].iter().map(|axis| (*axis, units.length()));
+    let all = places.chain([(field.name(), field.about().unit.label(units))]);
+    let wanted: Vec<usize> = all.map(|(name, unit)| column(&header, name, unit)).collect::<Result<_, _>>()?;
     let mut rows = Vec::new();
     for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let cells: Vec<&str> = line.split(',').collect();

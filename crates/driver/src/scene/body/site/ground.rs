@@ -339,7 +339,7 @@ impl<'a> Ground<'a> {
         let [given, nearest] = [position, at].map(|at| words::place(at, self.body));
         faults
             .error(path.clone(), format!("{what} at {given} is outside of the body"))
-            .hint(format!("the nearest point is at {nearest}"));
+            .hint(format!("the nearest point is at {nearest}{}", words::far(distance, self.body)));
         None
     }
 }
