@@ -53,7 +53,7 @@ def solve_with_fields(case):
     summary = json.loads(done.stdout)
     if "model" not in summary:
         raise SystemExit(done.stderr)
-    return summary, [{key: float(value) for key, value in line.items()} for line in lines]
+    return summary, [{key.split(" [")[0]: float(value) for key, value in line.items()} for line in lines]
 
 
 def values(case):

@@ -36,7 +36,11 @@ def rigid_motions(places):
 
 def displacements(path):
     with open(path) as file:
-        return np.array([[float(row[key]) for key in ("ux", "uy", "uz")] for row in csv.DictReader(file)])
+        rows = csv.reader(file)
+        # Heads have their unit behind the name.
+        heads = [head.split(" [")[0] for head in next(rows)]
+        wanted = [heads.index(key) for key in ("ux", "uy", "uz")]
+        return np.array([[float(row[k]) for k in wanted] for row in rows])
 
 
 def prepare(matrix, fields, cells, file):
