@@ -8,15 +8,17 @@
 //! Models: plates of central bonds ([`model::bond_plane`]), plates in antiplane shear ([`model::bond_antiplane`]),
 //! orthotropic plates of beam bonds whose points turn ([`model::beam_bond_orthotropic`]), Timoshenko beams
 //! ([`model::timoshenko_beam`]), solids of central bonds and state-based ones ([`model::solid`]). Bonds of beams, and of plates
-//! that move in their plane, can break ([`model::Breakable`]). What displacements tell beside holes is [`recovery`].
+//! that move in their plane, can break ([`model::Breakable`]). What displacements tell between points and on holes is [`recovery`], how
+//! they become those of local elasticity is [`correction`].
 //!
 //! Modules use only what stands to their left:
-//! `sum → quadrature → recovery → law → material → bonds → body → condition → stiffness → model → system → cubic`.
+//! `sum → quadrature → recovery → law → material → bonds → body → condition → stiffness → model → correction → system → cubic`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
 pub mod body;
 pub mod bonds;
 pub mod condition;
+pub mod correction;
 pub mod cubic;
 pub mod law;
 pub mod material;

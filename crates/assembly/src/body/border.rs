@@ -77,7 +77,7 @@ impl BorderPart {
     }
 
     /// Shares of the length at which the line or circle of another part crosses this one.
-    fn crossings(&self, other: &Self) -> Vec<f64> {
+    pub(crate) fn crossings(&self, other: &Self) -> Vec<f64> {
         match (*self, *other) {
             (Self::Straight { from, to, .. }, Self::Straight { from: a, to: b, .. }) => {
                 let (d, e, r) = (minus(to, from), minus(b, a), minus(a, from));
@@ -225,7 +225,7 @@ impl Outline {
 }
 
 /// The box around some parts, of arcs around their circles, wider by a margin.
-fn around(parts: &[BorderPart], margin: f64) -> [Point; 2] {
+pub(crate) fn around(parts: &[BorderPart], margin: f64) -> [Point; 2] {
     let corners = parts.iter().flat_map(|part| match *part {
         BorderPart::Straight { from, to, .. } => [from, to],
         BorderPart::Round { centre, radius, .. } => [centre.map(|x| x - radius), centre.map(|x| x + radius)],

@@ -30,6 +30,7 @@ mod transfer;
 mod turn;
 
 pub use border::BorderPart;
+pub(crate) use border::around;
 pub(crate) use centres::middle;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, CrackSurface, CrackSurfaceError, cut_bonds, cut_pairs};

@@ -4,6 +4,7 @@ mod about_field;
 mod amount;
 mod body;
 mod condition;
+mod continuum;
 mod crack;
 mod drawing;
 mod expectation;
@@ -47,6 +48,7 @@ pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sign, Sine, Steps, Support,
 };
+pub use continuum::Continuum;
 pub use crack::{CrackDisc, GivenCrack};
 pub use drawing::{Arrows, Drawing, Signs};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
@@ -181,6 +183,12 @@ pub struct Case {
     /// How to solve; `auto` says what it took and why.
     #[serde(default)]
     pub solver: Solver,
+    /// Whose solution the results of a body in the plane are.
+    #[serde(default, skip_serializing_if = "Continuum::is_nonlocal")]
+    pub limit: Continuum,
+    /// How many corrections at most lead to the limit `local`, 0 to 4; 2 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub corrections: Option<usize>,
     /// Values to report.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub probes: Vec<Probe>,

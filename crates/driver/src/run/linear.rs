@@ -107,6 +107,18 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         (self.report, self.counters)
     }
 
+    /// The displacement of a load (`D` planes) without prescribed motions, to the digits that a correction needs.
+    pub(super) fn correction(&mut self, system: &System<D>, load: &[f64]) -> Vec<f64> {
+        let mut u = vec![0.0; system.size()];
+        self.work.start(system, load, 0.0, &mut u);
+        let options = self.finish.of_correction();
+        let report = self.work.pass(system, self.way.preconditioner(), &options, &mut u);
+        system.constraints().expand(0.0, &mut u);
+        self.counters.right_hand_sides += 1;
+        self.counters.pcg_iterations += report.iterations;
+        u
+    }
+
     /// Unknowns under a load (`D` planes) and `motion_factor` times the prescribed motions.
     ///
     /// Every pass solves for the correction of the true, element-wise residual. Without prescribed motions the first

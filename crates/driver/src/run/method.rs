@@ -47,6 +47,15 @@ impl Finish {
         Self::of_iteration(200)
     }
 
+    /// For a correction, which the next one corrects: one by a factor is exact, of others a hundredth is enough.
+    pub(super) fn of_correction(&self) -> PcgOptions {
+        const ENOUGH: f64 = 1e-2;
+        match self.is_exact {
+            true => self.options,
+            false => PcgOptions { residual_drop: ENOUGH, energy_drop: 0.0, ..self.options },
+        }
+    }
+
     /// With a poor inverse, whose last residual tells little of the error: until rounding.
     fn of_blocks(max_iterations: usize) -> Self {
         let of = Self::of_iteration(max_iterations);

@@ -1,6 +1,7 @@
 //! What a run needs of a scene, whatever its model.
 
 use super::coarser::Coarser;
+use super::corrections::Corrections;
 use crate::case::Solver;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
@@ -63,6 +64,17 @@ pub trait Problem<const D: usize> {
 
     /// The coarser levels of a multigrid cycle, where the points are those of a lattice.
     fn coarser(&self, _system: &System<D>) -> Option<Coarser<D>> {
+        None
+    }
+
+    /// What displacements of a state become that are corrected by their residual in equilibrium; `solve` finds the displacement of a
+    /// load, in `D` planes, without prescribed motions. None where they stay as they are.
+    fn corrected(
+        &self,
+        _state: usize,
+        _u: &[f64],
+        _solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
+    ) -> Option<(Vec<f64>, Corrections)> {
         None
     }
 

@@ -34,6 +34,23 @@ pub(super) fn certified<const D: usize>(
     (solution, certificate)
 }
 
+/// Corrects the solution of a state, where the problem has corrections.
+fn correct<const D: usize>(
+    problem: &dyn Problem<D>,
+    system: &System<D>,
+    solver: &mut LinearSolver<D>,
+    state: usize,
+    solution: &mut StateSolution,
+    timing: &mut Timing,
+) {
+    let begin = Instant::now();
+    let corrected = problem.corrected(state, &solution.u, &mut |load| solver.correction(system, load));
+    if let Some((u, corrections)) = corrected {
+        (solution.u, solution.corrections) = (u, Some(corrections));
+    }
+    timing.solve += begin.elapsed().as_secs_f64();
+}
+
 /// Whether there is to be a next state after one was taken.
 pub(super) fn goes_on(taken: io::Result<()>) -> Result<bool, RunError> {
     match taken {
@@ -91,6 +108,9 @@ pub(super) fn solve_states_by<'a, const D: usize>(
                 certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
         }
         converged &= certificate.converged;
+        if certificate.converged {
+            correct(problem, system, &mut solver, state, &mut solution, &mut timing);
+        }
         evaluations += moved.as_ref().map_or(0, System::evaluations);
         if state + 1 == problem.states() {
             last = Some((state, solution, certificate));

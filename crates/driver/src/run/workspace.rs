@@ -1,5 +1,6 @@
 //! The vectors that solutions are found and weighed with.
 
+use super::corrections::Corrections;
 use super::scan::largest;
 use super::{Problem, Spread, extent};
 use peristat_assembly::condition::Row;
@@ -55,6 +56,8 @@ pub(super) struct StateSolution {
     pub(super) iterations: usize,
     /// How the last pass ended.
     pub(super) status: PcgStatus,
+    /// How the unknowns were corrected after all else here was found.
+    pub(super) corrections: Option<Corrections>,
 }
 
 impl StateSolution {
@@ -77,6 +80,7 @@ impl StateSolution {
             first_correction: 0.0,
             iterations: 0,
             status: PcgStatus::Converged,
+            corrections: None,
         }
     }
 }

@@ -83,6 +83,11 @@ impl Loaded {
         if self.scene.case().is_traced() {
             return Err("bodies that break or soften jump from state to state".into());
         }
+        if !self.scene.case().limit.is_nonlocal() {
+            return Err(
+                "displacements are corrected: the size of the last correction tells what is left".into()
+            );
+        }
         if self.scene.case().foundation.iter().any(|foundation| foundation.only.is_some()) {
             return Err(
                 "the part of a foundation that acts one way changes from grid to grid by whole cells".into(),

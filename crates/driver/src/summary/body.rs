@@ -4,7 +4,7 @@ use super::{Extremes, Forces, Located, StateSummary};
 use crate::case::FieldName;
 use crate::model::{MaterialSummary, OtherMaterial, Surface};
 use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
-use crate::run::{CheckResult, ProbeResult, scan};
+use crate::run::{CheckResult, Corrections, ProbeResult, scan};
 use crate::scene::body::BodyScene;
 use peristat_assembly::model::plane::{Calibration, Edges};
 use serde::{Deserialize, Serialize};
@@ -17,6 +17,9 @@ pub struct BodyForces {
     /// Forces across lines of symmetry.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub mirrors: Vec<MirrorReaction>,
+    /// How displacements were corrected until they are those of local elasticity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub corrections: Option<Corrections>,
 }
 
 /// The body that was solved.
@@ -139,6 +142,7 @@ pub(super) fn state(
         forces: Forces::Body(BodyForces {
             reactions: result.reactions.clone(),
             mirrors: result.mirrors.clone(),
+            corrections: result.corrections.clone(),
         }),
         certificate: result.record.certificate.clone(),
     };

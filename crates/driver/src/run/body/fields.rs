@@ -5,12 +5,12 @@ use super::modes;
 use super::of_stress::{Medium, component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
-use crate::run::{Resultants, SolvedState, StateRecord};
+use crate::run::{Corrections, Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
 use crate::scene::body::{BodyScene, Eigenstrain, Has, HoleRing, Intensity, Says, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
-use peristat_assembly::recovery::hole::HoleFit;
+use peristat_assembly::recovery::hole::{Field, HoleFit};
 use std::borrow::Cow;
 
 /// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
@@ -78,7 +78,7 @@ impl Recovered {
     }
 
     /// Gives images the values of their points.
-    fn fill_images(&mut self, scene: &BodyScene) {
+    pub(super) fn fill_images(&mut self, scene: &BodyScene) {
         let Some((lattice, mirrors)) = scene.model.lattice() else { return };
         for &ghost in scene.model.ghosts() {
             let ghost = ghost as usize;
@@ -114,6 +114,10 @@ pub struct BodyResult {
     pub intensities: Vec<f64>,
     /// Fields around the holes on which probes ask for stresses.
     pub(super) hole_fits: Vec<HoleFit>,
+    /// How its displacements were corrected.
+    pub corrections: Option<Corrections>,
+    /// Displacement and stress where every probe is, of displacements that were corrected.
+    pub(super) probed: Vec<Option<Field>>,
     /// Neighbours on the lattice of the model whose bond has broken.
     pub(super) parted: Vec<[usize; 2]>,
     /// Number of points of the model.
@@ -154,8 +158,13 @@ pub(super) fn collect(
     let reported = |(own, k): (&Intensity, &Vec<f64>)| modes::reported(scene, own, k[index], &record.u);
     let intensities = scene.intensities.iter().zip(intensities).map(reported).collect();
     let forces = (solution.multipliers, load, scene.asked(state));
+    let corrections = solution.corrections;
     let hole_fits = rings.iter().filter_map(|ring| ring.fit(scene, state, &record.u)).collect();
-    BodyResult { hole_fits, ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover) }
+    BodyResult {
+        hole_fits,
+        corrections,
+        ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
+    }
 }
 
 impl BodyResult {
@@ -207,6 +216,8 @@ impl BodyResult {
             mirrors,
             intensities,
             hole_fits: Vec::new(),
+            corrections: None,
+            probed: Vec::new(),
             parted: Vec::new(),
             points: scene.model.points(),
             shown: FieldName::BODY

@@ -13,6 +13,7 @@ mod hole_fits;
 mod intensity;
 mod layers;
 mod levels;
+mod local;
 mod modes;
 mod of_stress;
 mod path;
@@ -38,6 +39,7 @@ use crate::model::{AnyBody, with_body};
 use crate::scene::Scene;
 use crate::scene::body::{BodyScene, HoleRing};
 use fracture::BreakingPlane;
+use local::Local;
 use path::SofteningPlane;
 use peristat_assembly::model::plane::{BreakingModel, Solvable};
 use peristat_solve::Ranks;
@@ -56,7 +58,12 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    with_body!(&scene.model, body => run_body(&BodyProblem::new(scene, body.clone()), options, None, sink))
+    let local = Local::of(scene)?;
+    with_body!(&scene.model, body => {
+        let mut problem = BodyProblem::new(scene, body.clone());
+        problem.local = local;
+        run_body(&problem, options, None, sink)
+    })
 }
 
 /// The same by several processes, of which this is the first; the others [`follow`] it.
@@ -99,7 +106,10 @@ fn run_body<const D: usize>(
     let mut take = |solved: SolvedState| {
         tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
         layers.check(scene, &solved.solution.u, &mut warnings);
-        let result = fields::collect(scene, solved, (&found.values, &rings), recover);
+        let mut result = fields::collect(scene, solved, (&found.values, &rings), recover);
+        if let Some(local) = &problem.local {
+            local.complete(scene, &mut result);
+        }
         hole_fits::check(&result, &mut warnings);
         sink(result)
     };

@@ -1,8 +1,9 @@
 //! A body in the plane as a problem to be solved.
 
+use super::local::Local;
 use super::{levels, solid_memory};
 use crate::case::Solver;
-use crate::run::{Coarser, Problem, Spread, TOO_MANY_POINTS};
+use crate::run::{Coarser, Corrections, Problem, Spread, TOO_MANY_POINTS};
 use crate::scene::body::BodyScene;
 use peristat_assembly::body::Crack;
 use peristat_assembly::condition::Equation;
@@ -32,13 +33,15 @@ pub struct BodyProblem<'a, M: ?Sized> {
     pub cracks: Vec<Crack>,
     /// What the model has that the scene has not, for messages: `with the tip moved by a spacing `.
     apart: &'static str,
+    /// What its displacements are corrected by, where that is asked for.
+    pub(super) local: Option<Local>,
 }
 
 impl<'a, M: ?Sized> BodyProblem<'a, M> {
     /// The scene as it is, with its own model.
     pub fn new(scene: &'a BodyScene, model: Box<M>) -> Self {
         let cracks = scene.cracks.iter().map(|c| c.crack.clone()).collect();
-        Self { scene, model, cracks, apart: "" }
+        Self { scene, model, cracks, apart: "", local: None }
     }
 }
 
@@ -74,6 +77,15 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
     fn motions(&self, state: usize) -> Option<Vec<f64>> {
         let of = self.scene.conditions.in_step(state, self.scene.states[state].load_factor)?;
         Some(of.equations(&|p| self.scene.model.position(p)).iter().map(|equation| equation.value).collect())
+    }
+
+    fn corrected(
+        &self,
+        state: usize,
+        u: &[f64],
+        solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
+    ) -> Option<(Vec<f64>, Corrections)> {
+        Some(self.local.as_ref()?.corrected(self.scene, state, u, solve))
     }
 
     fn breaks(&self) -> bool {
@@ -152,6 +164,6 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
 impl<'a, M: ?Sized> BodyProblem<'a, M> {
     /// The scene with a model that has the tips of a crack moved.
     pub fn with_moved_tips(scene: &'a BodyScene, model: Box<M>, cracks: Vec<Crack>) -> Self {
-        Self { scene, model, cracks, apart: "with the tip moved by a spacing " }
+        Self { scene, model, cracks, apart: "with the tip moved by a spacing ", local: None }
     }
 }

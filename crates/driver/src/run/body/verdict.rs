@@ -1,6 +1,6 @@
 //! Probes and checks on the result of a body.
 
-use super::{BodyResult, hole_fits, reduced};
+use super::{BodyResult, hole_fits, local, reduced};
 use crate::case::{FieldName, Origin, TipQuantity};
 use crate::run::verdict::{self, CheckResult, ProbeResult};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
@@ -14,8 +14,8 @@ pub(super) fn is_recovered(expectation: &Expectation<BodyComparison>) -> bool {
 
 /// Values of all probes on one state.
 pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult> {
-    let probe = |p: &BodyProbe| {
-        let Reading { value, misfit, position, extent } = read(scene, result, p)?;
+    let probe = |(k, p): (usize, &BodyProbe)| {
+        let Reading { value, misfit, position, extent } = read(scene, result, (k, p))?;
         Some(ProbeResult {
             name: p.name.clone(),
             state: result.record.name.clone(),
@@ -41,7 +41,7 @@ pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult>
             misfit,
         })
     };
-    scene.probes.iter().filter_map(probe).collect()
+    scene.probes.iter().enumerate().filter_map(probe).collect()
 }
 
 /// What a probe finds.
@@ -55,10 +55,13 @@ struct Reading {
     extent: Option<f64>,
 }
 
-fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) -> Option<Reading> {
+fn read(scene: &BodyScene, result: &BodyResult, (k, probe): (usize, &BodyProbe)) -> Option<Reading> {
     let reading = |value: f64, misfit| Reading { value, misfit, position: probe.position, extent: None };
     if let Some((value, misfit)) = hole_fits::read(scene, result, probe) {
         return Some(reading(value, Some(misfit)));
+    }
+    if let Some(value) = local::read(scene, result, (k, probe)) {
+        return Some(reading(value, None));
     }
     let Quantity::Reduced { field, of, points } = &probe.quantity else {
         return Some(reading(value(scene, result, &probe.quantity)?, None));

@@ -12,6 +12,7 @@ pub(crate) mod fail;
 
 mod doubts;
 mod hole_ring;
+mod limit;
 mod motions;
 mod resolve;
 mod scene;
@@ -28,6 +29,7 @@ pub use hold::supported::BodySupport;
 pub(crate) use hold::supported::CONTRADICTION;
 pub use hole_ring::HoleRing;
 pub(crate) use hole_ring::is_on;
+pub(crate) use limit::LocalLimit;
 pub use load::eigenstrain::{Eigenstrain, EigenstrainPart};
 pub use load::sums::BodyLoads;
 pub use read::checks::BodyComparison;

@@ -6,6 +6,7 @@ use super::fail::fracture::{self, BodyFracture};
 use super::fail::path;
 use super::hold::held_body::HeldBody;
 use super::hold::{bearing_keys, rigid_keys, rigid_mirror, supported, supports};
+use super::limit::LocalLimit;
 use super::load::context::LoadContext;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
@@ -156,6 +157,8 @@ impl BodyScene {
             conditions: &conditions,
             supports: &supports,
         };
+        let tractions: Vec<_> = load_cases.iter().map(|loads| &loads.on_border[..]).collect();
+        let limit = LocalLimit::resolve(&site, &tractions, faults);
         strengths::check(case, &*inputs.material, faults);
         let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
@@ -197,6 +200,7 @@ impl BodyScene {
             inputs: Box::new(inputs),
             outline: outline.map(Box::new),
             elastic: None,
+            limit: limit.map(Box::new),
         })
     }
 }

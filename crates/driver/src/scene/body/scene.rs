@@ -4,6 +4,7 @@ use super::fail::elastic::Elastic;
 use super::fail::fracture::BodyFracture;
 use super::hold::conditions::Conditions;
 use super::hold::supported::BodySupport;
+use super::limit::LocalLimit;
 use super::load::sums::BodyLoads;
 use super::motions;
 use super::read::checks::BodyComparison;
@@ -71,6 +72,8 @@ pub struct BodyScene {
     pub(super) inputs: Box<ModelInputs>,
     pub(super) outline: Option<Box<Outline>>,
     pub(super) elastic: Option<Box<Elastic>>,
+    /// What is known on its border, where the limit of local elasticity is asked for.
+    pub(crate) limit: Option<Box<LocalLimit>>,
 }
 
 /// One right-hand side: a load step, a load case or a combination.

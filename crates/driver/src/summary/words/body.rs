@@ -3,7 +3,7 @@
 use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
 use crate::run::body::{BodyReaction, MirrorReaction};
-use crate::summary::{BodyForces, BodySummary, ModulusSummary};
+use crate::summary::{BodyForces, BodySummary, Forces, ModulusSummary, StateSummary};
 use peristat_assembly::model::plane::Edges;
 
 /// Model, material, horizon and edges.
@@ -140,4 +140,24 @@ pub(super) fn forces(forces: &BodyForces, units: Units) -> Vec<Listing> {
 /// Whether a plane of symmetry takes forces along z.
 fn is_across_z(mirror: &MirrorReaction) -> bool {
     matches!(&*mirror.side, "back" | "front")
+}
+
+/// Whose solution the states are, where it is not that of the bonds: what the least corrected one has.
+pub(super) fn limit(states: &[StateSummary]) -> Option<String> {
+    let of = |state: &'_ StateSummary| match &state.forces {
+        Forces::Body(forces) => forces.corrections.clone(),
+        _ => None,
+    };
+    let last = |sizes: &[f64]| sizes.last().copied().unwrap_or(f64::INFINITY);
+    let all = states.iter().filter_map(of);
+    let worst = all.max_by(|a, b| last(&a.sizes).total_cmp(&last(&b.sizes)))?;
+    let s = if worst.sizes.len() == 1 { "" } else { "s" };
+    let mut text = format!("local elasticity, by {} correction{s}", worst.sizes.len());
+    if let Some(size) = worst.sizes.last() {
+        text += &format!(", the last one {size:.1e} of the largest displacement");
+    }
+    if worst.stalled {
+        text += "; a further one was not smaller by half, and was left out";
+    }
+    Some(text)
 }

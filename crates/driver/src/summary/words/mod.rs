@@ -71,6 +71,7 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
     }
     let rest = [("size", size), ("solver", solver), ("why", summary.solver.reason.clone())];
     lines.extend(rest.map(|(key, text)| (key.into(), text)));
+    lines.extend(body::limit(&summary.states).map(|text| ("limit".into(), text)));
     lines
 }
 

@@ -206,6 +206,7 @@ impl<'a> StrainSolver<'a> {
             first_correction: evidence.first_correction,
             iterations: 0,
             status: PcgStatus::Converged,
+            corrections: None,
         }
     }
 }

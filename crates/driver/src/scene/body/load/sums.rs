@@ -2,6 +2,7 @@
 
 use super::eigenstrain::Eigenstrain;
 use super::stress_field::StressField;
+use super::traction::on_border::OnBorder;
 use crate::scene::Resultant;
 use peristat_assembly::model::BodyModel;
 
@@ -27,6 +28,8 @@ pub struct BodyLoads {
     pub(crate) stresses: Vec<StressField>,
     /// Strains that need no stress, by numbers of the model from the start.
     pub(crate) eigenstrain: Option<Eigenstrain>,
+    /// Tractions as the case gives them, where their values on the border are asked for.
+    pub(crate) on_border: Vec<OnBorder>,
     /// Whether formulas give forces on a border.
     pub(crate) by_formula: bool,
     /// Whether these carry the forces through joined sides.

@@ -1,0 +1,143 @@
+//! The true border: what is known at places on it.
+
+use super::grid::Grid;
+use crate::body::{BorderPart, around};
+use crate::quadrature::GAUSS;
+use std::collections::HashMap;
+
+/// Gauss' rule of three points on (0, 1): along rows and columns of points all is a polynomial of degree five at most.
+const ALONG: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+/// Places of the rule of eight points, which elsewhere leaves rounding alone, that are enough for fits.
+const ENOUGH: [usize; 4] = [0, 1, 4, 5];
+/// Parts of a piece that are shorter, relative to it, are rounding.
+const LEAST: f64 = 1e-9;
+/// How far inside of the border the square is looked for that a place belongs to, in spacings.
+const INSIDE: f64 = 1e-6;
+
+/// A piece of the border of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BorderPiece {
+    /// Where it runs.
+    pub part: BorderPart,
+    /// Along which axes its displacement is prescribed; along the others its traction is.
+    pub held: [bool; 2],
+}
+
+/// A place on the border at which something is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Index of its piece.
+    pub piece: usize,
+    /// Part of the length of the piece, 0 to 1.
+    pub share: f64,
+    /// Position, m.
+    pub at: [f64; 2],
+    /// Unit normal that points out of the body.
+    pub normal: [f64; 2],
+    /// Length that it stands for, m.
+    pub length: f64,
+}
+
+/// A sample or its image.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mark {
+    pub(super) sample: u32,
+    /// Place, in spacings.
+    pub(super) at: [f64; 2],
+    pub(super) normal: [f64; 2],
+    /// Signs of vectors along x and y.
+    pub(super) signs: [i8; 2],
+    pub(super) held: [bool; 2],
+    /// Whether fits are made of it.
+    pub(super) is_fitted: bool,
+}
+
+/// The samples of a border with their images.
+#[derive(Clone, Debug)]
+pub(super) struct Border {
+    pub(super) samples: Vec<Sample>,
+    pub(super) marks: Vec<Mark>,
+    by_square: HashMap<[i32; 2], Vec<u32>>,
+}
+
+impl Border {
+    pub(super) fn new(pieces: &[BorderPiece], grid: &Grid) -> Self {
+        let (mut samples, mut marks) = (Vec::new(), Vec::new());
+        for (piece, BorderPiece { part, held }) in pieces.iter().enumerate() {
+            let rule = if is_along(part) { &ALONG[..] } else { &GAUSS[..] };
+            for ends in breaks(part, grid).windows(2) {
+                for (k, (share, weight)) in rule.iter().enumerate() {
+                    let share = ends[0] + share * (ends[1] - ends[0]);
+                    let length = weight * (ends[1] - ends[0]) * part.length();
+                    let sample =
+                        Sample { piece, share, at: part.at(share), normal: part.normal(share), length };
+                    let number = samples.len() as u32;
+                    marks.extend(grid.images(grid.place(sample.at)).into_iter().map(|(at, signs)| Mark {
+                        sample: number,
+                        at,
+                        normal: [0, 1].map(|k| f64::from(signs[k]) * sample.normal[k]),
+                        signs,
+                        held: *held,
+                        is_fitted: rule.len() == ALONG.len() || ENOUGH.contains(&k),
+                    }));
+                    samples.push(sample);
+                }
+            }
+        }
+        let mut by_square: HashMap<[i32; 2], Vec<u32>> = HashMap::new();
+        for (k, mark) in (0..).zip(&marks) {
+            by_square.entry(mark.square()).or_default().push(k);
+        }
+        Self { samples, marks, by_square }
+    }
+
+    /// Numbers of the marks within a distance of a place, in spacings, that fits are made of.
+    pub(super) fn near(&self, place: [f64; 2], reach: f64) -> Vec<u32> {
+        let [columns, rows] = place.map(|x| (x - reach).floor() as i32..=(x + reach).floor() as i32);
+        let squares = rows.flat_map(|j| columns.clone().map(move |i| [i, j]));
+        let all = squares.filter_map(|square| self.by_square.get(&square)).flatten();
+        let is_near = |mark: &u32| {
+            let Mark { at: [x, y], is_fitted, .. } = self.marks[*mark as usize];
+            is_fitted && (x - place[0]).hypot(y - place[1]) <= reach
+        };
+        all.copied().filter(is_near).collect()
+    }
+
+    /// Whether some of the border lies in a square of four points, given by its lower left one.
+    pub(super) fn crosses(&self, square: [i32; 2]) -> bool {
+        self.by_square.contains_key(&square)
+    }
+}
+
+impl Mark {
+    /// The square just inside of the border.
+    pub(super) fn square(&self) -> [i32; 2] {
+        [0, 1].map(|k| (self.at[k] - INSIDE * self.normal[k]).floor() as i32)
+    }
+}
+
+/// Whether a part runs along rows or columns.
+fn is_along(part: &BorderPart) -> bool {
+    matches!(part, BorderPart::Straight { normal, .. } if normal.contains(&0.0))
+}
+
+/// Shares of a part at which it crosses rows and columns of points, with its ends.
+fn breaks(part: &BorderPart, grid: &Grid) -> Vec<f64> {
+    let mut shares = vec![0.0, 1.0];
+    let box_around = around(std::slice::from_ref(part), 0.0);
+    let [low, high] = box_around.map(|at| grid.place(at));
+    for axis in 0..2 {
+        for line in low[axis].ceil() as i32..=high[axis].floor() as i32 {
+            let [mut from, mut to] = box_around;
+            (from[axis], to[axis]) = (grid.along(axis, line), grid.along(axis, line));
+            // The box of a segment along the other axis has no height.
+            to[1 - axis] = from[1 - axis] + grid.spacing;
+            shares.extend(part.crossings(&BorderPart::Straight { from, to, normal: [0.0; 2] }));
+        }
+    }
+    shares.retain(|share| (0.0..=1.0).contains(share));
+    shares.sort_by(f64::total_cmp);
+    shares.dedup_by(|later, share| *later - *share < LEAST);
+    shares
+}

@@ -1,0 +1,140 @@
+//! Fits around squares, points and other places: those that see the same are one.
+
+use super::border::Border;
+use super::grid::{Grid, Node};
+use crate::recovery::trefftz::{Basis, Known, LocalFit};
+use nalgebra::DVector;
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// Places whose distances from a centre differ by less, in spacings, are one.
+const SAME: f64 = 1e-6;
+
+/// What a fit is made of, and how many spacings it sees.
+#[derive(Clone, Debug)]
+pub(super) struct Fits {
+    pub(super) basis: Basis,
+    reach: f64,
+    known: Vec<LocalFit>,
+    numbers: HashMap<Vec<i32>, u32>,
+}
+
+/// What is known around a place: the points, then the marks of the border.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Around {
+    pub(super) centre: [f64; 2],
+    points: Vec<([i32; 2], Node)>,
+    marks: Vec<u32>,
+}
+
+/// A place with the number of its fit.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    pub(super) around: Around,
+    pub(super) fit: u32,
+}
+
+/// A state: displacements in two planes, and what is known at every sample of the border.
+#[derive(Clone, Copy, Debug)]
+pub struct State<'a> {
+    /// Displacements of the points of the model, m, along x, then along y.
+    pub u: &'a [f64],
+    /// Number of points.
+    pub points: usize,
+    /// By sample and axis: the displacement where it is held, m, the traction elsewhere, Pa.
+    pub border: &'a [[f64; 2]],
+}
+
+impl Around {
+    pub(super) fn new(centre: [f64; 2], reach: f64, grid: &Grid, border: &Border) -> Self {
+        let [columns, rows] = centre.map(|x| (x - reach).ceil() as i32..=(x + reach).floor() as i32);
+        let places = rows.flat_map(|j| columns.clone().map(move |i| [i, j]));
+        let is_near = |place: &[i32; 2]| {
+            let [x, y] = [0, 1].map(|k| f64::from(place[k]) - centre[k]);
+            x.hypot(y) <= reach * (1.0 + SAME)
+        };
+        let points = places.filter(is_near).filter_map(|place| Some((place, grid.node(place)?))).collect();
+        Self { centre, points, marks: border.near(centre, reach) }
+    }
+
+    /// What tells it from others: everything relative to the centre.
+    fn key(&self, border: &Border) -> Vec<i32> {
+        let rounded = |x: f64| (x / SAME).round() as i32;
+        let mut key = Vec::with_capacity(2 * self.points.len() + 5 * self.marks.len());
+        for (place, _) in &self.points {
+            key.extend([0, 1].map(|k| (2.0 * (f64::from(place[k]) - self.centre[k])).round() as i32));
+        }
+        for mark in self.marks.iter().map(|mark| &border.marks[*mark as usize]) {
+            key.extend([0, 1].map(|k| rounded(mark.at[k] - self.centre[k])));
+            key.extend(mark.normal.map(rounded));
+            key.push(i32::from(mark.held[0]) + 2 * i32::from(mark.held[1]));
+        }
+        key
+    }
+
+    fn known(&self, reach: f64, border: &Border) -> Vec<Known> {
+        let relative = |at: [f64; 2]| [0, 1].map(|k| (at[k] - self.centre[k]) / reach);
+        let points = self.points.iter().map(|(place, _)| Known::Displacement(relative(place.map(f64::from))));
+        let marks = self.marks.iter().map(|mark| &border.marks[*mark as usize]);
+        let marks = marks.map(|m| Known::Border { at: relative(m.at), normal: m.normal, held: m.held });
+        points.chain(marks).collect()
+    }
+
+    /// What is known in a state.
+    fn values(&self, border: &Border, state: State) -> Vec<f64> {
+        let mut values = Vec::with_capacity(2 * (self.points.len() + self.marks.len()));
+        for (_, node) in &self.points {
+            values.extend(
+                [0, 1].map(|c| f64::from(node.signs[c]) * state.u[c * state.points + node.number as usize]),
+            );
+        }
+        for mark in self.marks.iter().map(|mark| &border.marks[*mark as usize]) {
+            let own = state.border[mark.sample as usize];
+            values.extend([0, 1].map(|c| f64::from(mark.signs[c]) * own[c]));
+        }
+        values
+    }
+}
+
+impl Fits {
+    /// Polynomials up to a degree that see so many spacings.
+    pub(super) fn new(stiffness: &[[f64; 3]; 3], degree: i32, reach: f64) -> Self {
+        let basis = Basis::new(stiffness, degree);
+        Self { basis, reach, known: Vec::new(), numbers: HashMap::new() }
+    }
+
+    /// How far a fit sees, m.
+    pub(super) fn radius(&self, grid: &Grid) -> f64 {
+        self.reach * grid.spacing
+    }
+
+    /// A place relative to the centre of a fit over its radius.
+    pub(super) fn relative(&self, at: [f64; 2], centre: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| (at[k] - centre[k]) / self.reach)
+    }
+
+    /// Places with their fits, those that are new made in parallel; none where too little is known to tell one.
+    pub(super) fn add(&mut self, centres: &[[f64; 2]], grid: &Grid, border: &Border) -> Option<Vec<Fitted>> {
+        let mut new: Vec<Vec<Known>> = Vec::new();
+        let first = self.known.len() as u32;
+        let mut fitted = Vec::with_capacity(centres.len());
+        for centre in centres {
+            let around = Around::new(*centre, self.reach, grid, border);
+            let next = first + new.len() as u32;
+            let fit = *self.numbers.entry(around.key(border)).or_insert_with(|| {
+                new.push(around.known(self.reach, border));
+                next
+            });
+            fitted.push(Fitted { around, fit });
+        }
+        let radius = self.radius(grid);
+        let made = new.par_iter().map(|known| LocalFit::new(&self.basis, radius, known));
+        self.known.extend(made.collect::<Option<Vec<_>>>()?);
+        Some(fitted)
+    }
+
+    /// Coefficients of the fields of a fit in a state.
+    pub(super) fn coefficients(&self, at: &Fitted, border: &Border, state: State) -> DVector<f64> {
+        self.known[at.fit as usize].coefficients(&at.around.values(border, state))
+    }
+}

@@ -1,0 +1,102 @@
+//! The points of a lattice by their places, images in lines of symmetry among them.
+
+use crate::body::SquareLattice;
+use crate::model::plane::Mirrors;
+
+/// How far images go beyond a line of symmetry, in spacings: as far as fits and squares beside it see.
+const BEYOND: i32 = 8;
+
+/// A point or its image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Node {
+    /// Number of the point.
+    pub(super) number: u32,
+    /// Signs of the displacement along x and y.
+    pub(super) signs: [i8; 2],
+    /// Whether it is the point itself.
+    pub(super) is_real: bool,
+}
+
+/// Places are in spacings, those of points whole numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Grid {
+    pub(super) spacing: f64,
+    /// Position of the place zero, m.
+    origin: [f64; 2],
+    /// Lines of symmetry: places across x and y, before the body and behind it.
+    lines: [[Option<f64>; 2]; 2],
+    low: [i32; 2],
+    size: [i32; 2],
+    nodes: Vec<Option<Node>>,
+}
+
+impl Grid {
+    pub(super) fn new(lattice: &SquareLattice, mirrors: &Mirrors) -> Self {
+        let ranges = [lattice.columns(), lattice.rows()];
+        let low = [0, 1].map(|k| ranges[k].start - BEYOND);
+        let size = [0, 1].map(|k| ranges[k].end + BEYOND - low[k]);
+        let node = |k: i32| {
+            let cell = [low[0] + k % size[0], low[1] + k / size[0], 0];
+            let (image, [x, y, _]) = if mirrors.is_none() { (cell, [1.0; 3]) } else { mirrors.image(cell) };
+            let number = lattice.number(image)? as u32;
+            Some(Node { number, signs: [x, y].map(|sign| sign as i8), is_real: image == cell })
+        };
+        let nodes = (0..size[0] * size[1]).map(node).collect();
+        let line = |line: Option<i32>| line.map(|first| f64::from(first) - 0.5);
+        let lines = [0, 1].map(|k| mirrors.lines[k].map(line));
+        Self { spacing: lattice.spacing(), origin: lattice.place_of([0; 3]), lines, low, size, nodes }
+    }
+
+    /// The point at a place.
+    pub(super) fn node(&self, place: [i32; 2]) -> Option<Node> {
+        let [i, j] = [0, 1].map(|k| place[k] - self.low[k]);
+        let is_known = (0..self.size[0]).contains(&i) && (0..self.size[1]).contains(&j);
+        if is_known { self.nodes[(i + j * self.size[0]) as usize] } else { None }
+    }
+
+    /// The points of the body with their places.
+    pub(super) fn real(&self) -> impl Iterator<Item = (u32, [i32; 2])> + '_ {
+        let place = |k: usize| [self.low[0] + k as i32 % self.size[0], self.low[1] + k as i32 / self.size[0]];
+        let real =
+            self.nodes.iter().enumerate().filter_map(move |(k, node)| Some((node.as_ref()?, place(k))));
+        real.filter(|(node, _)| node.is_real).map(|(node, place)| (node.number, place))
+    }
+
+    /// First place and number of places along x and y.
+    pub(super) fn range(&self) -> ([i32; 2], [i32; 2]) {
+        (self.low, self.size)
+    }
+
+    /// The place of a position, m.
+    pub(super) fn place(&self, at: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| (at[k] - self.origin[k]) / self.spacing)
+    }
+
+    /// Where a row or a column of points is, m.
+    pub(super) fn along(&self, axis: usize, line: i32) -> f64 {
+        self.origin[axis] + f64::from(line) * self.spacing
+    }
+
+    /// The position of the real place that a place is an image of, m.
+    pub(super) fn real_position(&self, place: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| {
+            let along = match self.lines[k] {
+                [Some(line), _] if place[k] < line => 2.0 * line - place[k],
+                [_, Some(line)] if place[k] > line => 2.0 * line - place[k],
+                _ => place[k],
+            };
+            self.origin[k] + along * self.spacing
+        })
+    }
+
+    /// A place, then its images near it, with the signs of vectors there.
+    pub(super) fn images(&self, place: [f64; 2]) -> Vec<([f64; 2], [i8; 2])> {
+        let along = |k: usize| {
+            let lines = self.lines[k].into_iter().flatten();
+            let image = move |line: f64| (2.0 * line - place[k], -1);
+            let near = move |line: &f64| (line - place[k]).abs() < f64::from(BEYOND);
+            std::iter::once((place[k], 1)).chain(lines.filter(near).map(image))
+        };
+        along(0).flat_map(|x| along(1).map(move |y| ([x.0, y.0], [x.1, y.1]))).collect()
+    }
+}

@@ -1,0 +1,104 @@
+//! Polynomials in equilibrium.
+
+use nalgebra::{DMatrix, DVector, Matrix2xX, Matrix3xX};
+
+/// Singular values of the divergence that are smaller, relative to the largest, are zero: the next ones are 0.05 and more.
+const NONE: f64 = 1e-10;
+
+/// Displacements that are polynomials and whose stresses have no divergence: an orthonormal basis, in a place relative to a
+/// centre over a radius. Stresses are per stiffness, the first entry of the matrix, and per radius.
+#[derive(Clone, Debug)]
+pub struct Basis {
+    powers: Vec<[i32; 2]>,
+    /// Coefficients of the powers in ux and uy, one column per field.
+    displacement: DMatrix<f64>,
+    /// The same in σ_xx, σ_yy, σ_xy.
+    stress: DMatrix<f64>,
+    unit: f64,
+}
+
+impl Basis {
+    /// Up to a degree, for a material of this stiffness, Pa, from strains `[ε_xx, ε_yy, γ_xy]` to stresses.
+    pub fn new(stiffness: &[[f64; 3]; 3], degree: i32) -> Self {
+        let powers: Vec<[i32; 2]> = (0..=degree).flat_map(|d| (0..=d).map(move |b| [d - b, b])).collect();
+        let unit = stiffness[0][0];
+        let all = DMatrix::identity(2 * powers.len(), 2 * powers.len());
+        let divergence = divergence(&powers, &stresses(&powers, &all, stiffness, unit));
+        // With rows of zeros it is square, and has all of its singular vectors.
+        let square = divergence.resize_vertically(2 * powers.len(), 0.0);
+        let svd = square.svd(false, true);
+        let least = NONE * svd.singular_values.max();
+        let vectors = svd.v_t.unwrap_or_else(|| all.clone());
+        let free = (0..vectors.nrows()).filter(|k| svd.singular_values[*k] <= least);
+        let columns: Vec<DVector<f64>> = free.map(|k| vectors.row(k).transpose()).collect();
+        let displacement = DMatrix::from_columns(&columns);
+        let stress = stresses(&powers, &displacement, stiffness, unit);
+        Self { powers, displacement, stress, unit }
+    }
+
+    /// Number of fields.
+    pub fn count(&self) -> usize {
+        self.displacement.ncols()
+    }
+
+    /// The stiffness that stresses are per, Pa.
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// Displacements of all fields at a place.
+    pub fn displacements(&self, at: [f64; 2]) -> Matrix2xX<f64> {
+        let values = self.values(at);
+        let n = self.powers.len();
+        Matrix2xX::from_fn(self.count(), |c, k| values.dot(&self.displacement.view((c * n, k), (n, 1))))
+    }
+
+    /// Stresses of all fields at a place.
+    pub fn stresses(&self, at: [f64; 2]) -> Matrix3xX<f64> {
+        let values = self.values(at);
+        let n = self.powers.len();
+        Matrix3xX::from_fn(self.count(), |c, k| values.dot(&self.stress.view((c * n, k), (n, 1))))
+    }
+
+    fn values(&self, [x, y]: [f64; 2]) -> DVector<f64> {
+        DVector::from_iterator(self.powers.len(), self.powers.iter().map(|[a, b]| x.powi(*a) * y.powi(*b)))
+    }
+}
+
+/// The derivative of polynomials along an axis: those of a component are rows from `first`.
+fn derived(powers: &[[i32; 2]], of: &DMatrix<f64>, first: usize, axis: usize) -> DMatrix<f64> {
+    let mut derivative = DMatrix::zeros(powers.len(), of.ncols());
+    for (k, power) in powers.iter().enumerate().filter(|(_, power)| power[axis] > 0) {
+        let mut lower = *power;
+        lower[axis] -= 1;
+        if let Some(to) = powers.iter().position(|p| *p == lower) {
+            let mut row = derivative.row_mut(to);
+            row += f64::from(power[axis]) * of.row(first + k);
+        }
+    }
+    derivative
+}
+
+/// Stresses of displacements, per `unit`.
+fn stresses(powers: &[[i32; 2]], of: &DMatrix<f64>, stiffness: &[[f64; 3]; 3], unit: f64) -> DMatrix<f64> {
+    let n = powers.len();
+    let shear = derived(powers, of, 0, 1) + derived(powers, of, n, 0);
+    let strains = [derived(powers, of, 0, 0), derived(powers, of, n, 1), shear];
+    let mut stress = DMatrix::zeros(3 * n, of.ncols());
+    for (r, row) in stiffness.iter().enumerate() {
+        for (share, strain) in row.iter().zip(&strains) {
+            let mut rows = stress.rows_mut(r * n, n);
+            rows += *share / unit * strain;
+        }
+    }
+    stress
+}
+
+/// The divergence of stresses.
+fn divergence(powers: &[[i32; 2]], of: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = powers.len();
+    let mut all = DMatrix::zeros(2 * n, of.ncols());
+    all.rows_mut(0, n).copy_from(&(derived(powers, of, 0, 0) + derived(powers, of, 2 * n, 1)));
+    all.rows_mut(n, n).copy_from(&(derived(powers, of, 2 * n, 0) + derived(powers, of, n, 1)));
+    all
+}

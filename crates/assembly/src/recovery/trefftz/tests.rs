@@ -1,0 +1,131 @@
+//! Fits against the fields that they are made of, and against one that they are not.
+
+use super::*;
+use std::f64::consts::PI;
+
+fn isotropic(e: f64, nu: f64) -> [[f64; 3]; 3] {
+    let c = e / (1.0 - nu * nu);
+    [[c, nu * c, 0.0], [nu * c, c, 0.0], [0.0, 0.0, 0.5 * (1.0 - nu) * c]]
+}
+
+const ORTHOTROPIC: [[f64; 3]; 3] = [[140.6, 2.5, 0.4], [2.5, 10.0, -0.2], [0.4, -0.2, 2.93]];
+
+/// Points of a lattice around a place between them, above a border.
+fn points(radius: f64, border: f64) -> Vec<[f64; 2]> {
+    let steps = -6..6;
+    let all =
+        steps.clone().flat_map(|j| steps.clone().map(move |i| [f64::from(i) + 0.5, f64::from(j) + 0.5]));
+    let near = all.filter(|[x, y]| x.hypot(*y) <= radius && *y > border);
+    near.map(|at| at.map(|x| x / radius)).collect()
+}
+
+#[test]
+fn there_are_as_many_fields_as_equilibrium_leaves() {
+    for degree in 1..=6 {
+        for stiffness in [isotropic(70.0, 0.3), isotropic(1.0, 0.499), ORTHOTROPIC] {
+            let count = Basis::new(&stiffness, degree).count();
+            assert_eq!(count, 4 * degree as usize + 2);
+        }
+    }
+}
+
+/// By differences of the displacements: stresses and their divergence.
+#[test]
+fn stresses_are_those_of_the_displacements_and_in_equilibrium() {
+    let h = 1e-4;
+    let stiffness = ORTHOTROPIC;
+    let basis = Basis::new(&stiffness, 4);
+    let at = [0.3, -0.4];
+    let moved = |k: usize, by: f64| [0, 1].map(|c| at[c] + if c == k { by } else { 0.0 });
+    let slope = |k: usize| (basis.displacements(moved(k, h)) - basis.displacements(moved(k, -h))) / (2.0 * h);
+    let (by_x, by_y) = (slope(0), slope(1));
+    let stress = basis.stresses(at);
+    let turn = |k: usize| (basis.stresses(moved(k, h)) - basis.stresses(moved(k, -h))) / (2.0 * h);
+    let (along, across) = (turn(0), turn(1));
+    for k in 0..basis.count() {
+        let strain = [by_x[(0, k)], by_y[(1, k)], by_y[(0, k)] + by_x[(1, k)]];
+        for r in 0..3 {
+            let expected: f64 = (0..3).map(|c| stiffness[r][c] * strain[c]).sum::<f64>() / stiffness[0][0];
+            // Found: 7e-9, the differences.
+            assert!((stress[(r, k)] - expected).abs() < 5e-8, "{k} {r}");
+        }
+        // Found: 2e-9.
+        assert!((along[(0, k)] + across[(2, k)]).abs() < 5e-8);
+        assert!((along[(2, k)] + across[(1, k)]).abs() < 5e-8);
+    }
+}
+
+/// Fields of the basis come back, with a border whose tractions or displacements are known.
+#[test]
+fn fits_reproduce_their_fields() {
+    for (degree, radius) in [(4, 3.2), (5, 4.0)] {
+        for stiffness in [isotropic(70e9, 0.3), ORTHOTROPIC] {
+            let basis = Basis::new(&stiffness, degree);
+            for held in [[false; 2], [true, false], [true; 2]] {
+                let mut known: Vec<Known> =
+                    points(radius, -1.0).into_iter().map(Known::Displacement).collect();
+                let sample = |k: i32| Known::Border {
+                    at: [f64::from(k) / (3.0 * radius), -1.0 / radius],
+                    normal: [0.0, -1.0],
+                    held,
+                };
+                known.extend((-8..=8).map(sample));
+                let fit = LocalFit::new(&basis, radius, &known).unwrap();
+                let given = |field: usize| -> Vec<f64> {
+                    let of = |one: &Known| match *one {
+                        Known::Displacement(at) => basis.displacements(at).column(field).into_owned(),
+                        Known::Border { at, normal: [x, y], held } => {
+                            let (s, u) = (basis.stresses(at), basis.displacements(at));
+                            let unit = basis.unit() / radius;
+                            let t = [
+                                s[(0, field)] * x + s[(2, field)] * y,
+                                s[(2, field)] * x + s[(1, field)] * y,
+                            ];
+                            nalgebra::Vector2::from_fn(
+                                |c, _| if held[c] { u[(c, field)] } else { unit * t[c] },
+                            )
+                        }
+                    };
+                    known.iter().flat_map(|one| [of(one)[0], of(one)[1]]).collect()
+                };
+                for field in 0..basis.count() {
+                    let found = fit.coefficients(&given(field));
+                    for (k, c) in found.iter().enumerate() {
+                        let expected = if k == field { 1.0 } else { 0.0 };
+                        // Worst found: 2e-13.
+                        assert!((c - expected).abs() < 1e-12, "{degree} {field} {k}: {c}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A field of φ = e^z, ψ = 0 by Kolosov: what the fit misses falls with the fifth power of its radius.
+#[test]
+fn fits_are_of_the_fifth_order() {
+    let (e, nu) = (1.0_f64, 0.3_f64);
+    let (kappa, twice_shear) = ((3.0 - nu) / (1.0 + nu), e / (1.0 + nu));
+    let basis = Basis::new(&isotropic(e, nu), 4);
+    let exact = |[x, y]: [f64; 2]| {
+        // 2G u = κ φ − z conj(φ').
+        let (c, s, size) = (y.cos(), y.sin(), x.exp());
+        let conj = [size * c, -size * s];
+        let u =
+            [kappa * size * c - (x * conj[0] - y * conj[1]), kappa * size * s - (x * conj[1] + y * conj[0])];
+        u.map(|u| u / twice_shear)
+    };
+    let misses = |spacing: f64| {
+        let all = points(3.2, -9.0);
+        let known: Vec<Known> = all.iter().map(|at| Known::Displacement(*at)).collect();
+        let fit = LocalFit::new(&basis, 3.2 * spacing, &known).unwrap();
+        let place = |at: [f64; 2]| at.map(|x| 0.2 + 3.2 * spacing * x);
+        let values: Vec<f64> = all.iter().flat_map(|at| exact(place(*at))).collect();
+        let found = basis.displacements([0.1, 0.2]) * fit.coefficients(&values);
+        let expected = exact(place([0.1, 0.2]));
+        (found[0] - expected[0]).hypot(found[1] - expected[1])
+    };
+    let order = (misses(0.08 * PI) / misses(0.04 * PI)).log2();
+    // Found: 5.0.
+    assert!(order > 4.7, "{order}");
+}

@@ -1,0 +1,46 @@
+//! Corners that turn into a body, at which stresses are infinite.
+
+use crate::diagnostic::{Faults, root};
+use peristat_assembly::body::BorderPart;
+use peristat_assembly::correction::BorderPiece;
+
+/// Ends of pieces are one up to this part of a spacing.
+const SAME: f64 = 1e-6;
+/// Sine of the angle by which a border may turn inwards: chords of a curve turn by less.
+const SMOOTH: f64 = 0.2;
+/// How far from a corner its sides are looked at, in parts of a piece.
+const BESIDE: f64 = 1e-3;
+
+/// Adds a fault if the border has such a corner.
+pub(super) fn check(pieces: &[BorderPiece], spacing: f64, faults: &mut Faults) {
+    let ends: Vec<End> =
+        pieces.iter().flat_map(|piece| [0.0, 1.0].map(|share| End::new(&piece.part, share))).collect();
+    let enters = |end: &&End| ends.iter().any(|other| other.is_entered_by(end, SAME * spacing));
+    if let Some(End { at: [x, y], .. }) = ends.iter().find(enters) {
+        faults
+            .error(root("limit"), format!("`local` is no limit of this body: stresses are infinite in the corner at ({x}, {y}), which turns into it"))
+            .hint("round the corner by an arc of several spacings, or leave `limit` out");
+    }
+}
+
+/// An end of a piece: where it is, how the piece goes on from it, and its normal.
+struct End {
+    at: [f64; 2],
+    along: [f64; 2],
+    normal: [f64; 2],
+}
+
+impl End {
+    fn new(part: &BorderPart, share: f64) -> Self {
+        let (at, next) = (part.at(share), part.at((share - BESIDE).abs()));
+        let d = [0, 1].map(|k| next[k] - at[k]);
+        let length = d[0].hypot(d[1]);
+        Self { at, along: d.map(|x| x / length), normal: part.normal(share) }
+    }
+
+    /// Whether another piece goes on from here in front of the border.
+    fn is_entered_by(&self, other: &Self, tolerance: f64) -> bool {
+        let is_here = (self.at[0] - other.at[0]).hypot(self.at[1] - other.at[1]) <= tolerance;
+        is_here && self.normal[0] * other.along[0] + self.normal[1] * other.along[1] > SMOOTH
+    }
+}
