@@ -44,6 +44,7 @@ mod initial_strain;
 mod interfaces;
 mod literature;
 mod load_factor;
+mod local_limit;
 mod material_cases;
 mod materials;
 mod member_materials;

@@ -2,12 +2,9 @@
 
 use super::grid::Grid;
 use crate::body::{BorderPart, around};
-use crate::quadrature::GAUSS;
+use crate::quadrature::{GAUSS, GAUSS_3};
 use std::collections::HashMap;
 
-/// Gauss' rule of three points on (0, 1): along rows and columns of points all is a polynomial of degree five at most.
-const ALONG: [(f64, f64); 3] =
-    [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 /// Places of the rule of eight points, which elsewhere leaves rounding alone, that are enough for fits.
 const ENOUGH: [usize; 4] = [0, 1, 4, 5];
 /// Parts of a piece that are shorter, relative to it, are rounding.
@@ -65,7 +62,8 @@ impl Border {
     pub(super) fn new(pieces: &[BorderPiece], grid: &Grid) -> Self {
         let (mut samples, mut marks) = (Vec::new(), Vec::new());
         for (piece, BorderPiece { part, held }) in pieces.iter().enumerate() {
-            let rule = if is_along(part) { &ALONG[..] } else { &GAUSS[..] };
+            // Along rows and columns of points all is a polynomial of degree five at most.
+            let rule = if is_along(part) { &GAUSS_3[..] } else { &GAUSS[..] };
             for ends in breaks(part, grid).windows(2) {
                 for (k, (share, weight)) in rule.iter().enumerate() {
                     let share = ends[0] + share * (ends[1] - ends[0]);
@@ -79,7 +77,7 @@ impl Border {
                         normal: [0, 1].map(|k| f64::from(signs[k]) * sample.normal[k]),
                         signs,
                         held: *held,
-                        is_fitted: rule.len() == ALONG.len() || ENOUGH.contains(&k),
+                        is_fitted: rule.len() == GAUSS_3.len() || ENOUGH.contains(&k),
                     }));
                     samples.push(sample);
                 }
@@ -90,6 +88,13 @@ impl Border {
             by_square.entry(mark.square()).or_default().push(k);
         }
         Self { samples, marks, by_square }
+    }
+
+    /// Along which axes the displacement is known, by samples.
+    pub(super) fn held(&self) -> Vec<[bool; 2]> {
+        let mut held = vec![[false; 2]; self.samples.len()];
+        self.marks.iter().for_each(|mark| held[mark.sample as usize] = mark.held);
+        held
     }
 
     /// Numbers of the marks within a distance of a place, in spacings, that fits are made of.

@@ -2,6 +2,7 @@
 
 use super::border::Border;
 use super::grid::{Grid, Node};
+use crate::recovery::hole::HoleFit;
 use crate::recovery::trefftz::{Basis, Known, LocalFit};
 use nalgebra::DVector;
 use rayon::prelude::*;
@@ -43,6 +44,10 @@ pub struct State<'a> {
     pub points: usize,
     /// By sample and axis: the displacement where it is held, m, the traction elsewhere, Pa.
     pub border: &'a [[f64; 2]],
+    /// Force on every point, N/m³.
+    pub weight: [f64; 2],
+    /// Fields around the holes that have their own.
+    pub holes: &'a [HoleFit],
 }
 
 impl Around {

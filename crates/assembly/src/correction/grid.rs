@@ -77,6 +77,11 @@ impl Grid {
         self.origin[axis] + f64::from(line) * self.spacing
     }
 
+    /// The position of a place, m.
+    pub(super) fn position(&self, place: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| self.origin[k] + place[k] * self.spacing)
+    }
+
     /// The position of the real place that a place is an image of, m.
     pub(super) fn real_position(&self, place: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|k| {
@@ -86,6 +91,14 @@ impl Grid {
                 _ => place[k],
             };
             self.origin[k] + along * self.spacing
+        })
+    }
+
+    /// The position where lines of symmetry cross, or on one of them, m.
+    pub(super) fn symmetric_origin(&self) -> [f64; 2] {
+        [0, 1].map(|k| {
+            let line = self.lines[k].into_iter().flatten().next();
+            self.origin[k] + line.unwrap_or(0.0) * self.spacing
         })
     }
 

@@ -8,13 +8,17 @@
 mod border;
 mod fits;
 mod grid;
+mod holes;
+mod pulls;
 mod residual;
 mod squares;
 #[cfg(test)]
 mod tests;
+mod weight;
 
 pub use border::{BorderPiece, Sample};
 pub use fits::State;
+pub use holes::HoleZone;
 
 use crate::body::Outline;
 use crate::model::plane::PlaneModel;
@@ -24,6 +28,7 @@ use fits::{Fits, Fitted};
 use grid::Grid;
 use rayon::prelude::*;
 use residual::Residual;
+use weight::Weight;
 
 /// How far from the border displacements are replaced by those of fits, which are smooth, in horizons.
 const BAND: f64 = 2.0;
@@ -37,42 +42,58 @@ pub struct Fitting {
     pub reach: f64,
 }
 
+/// What bounds a body, lines of symmetry left out.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds<'a> {
+    /// Where there is a body.
+    pub outline: &'a Outline,
+    /// Its border.
+    pub pieces: &'a [BorderPiece],
+    /// Holes that have fields of their own.
+    pub holes: &'a [HoleZone],
+}
+
 /// A body whose displacements are corrected.
 #[derive(Clone, Debug)]
 pub struct Correction {
     grid: Grid,
     border: Border,
+    holes: Vec<HoleZone>,
     fits: Fits,
     residual: Residual,
+    weight: Weight,
     band: Vec<(u32, Fitted)>,
+    /// Points that have the fields of a hole, by its number.
+    in_holes: Vec<(u32, [f64; 2], u32)>,
 }
 
 impl Correction {
-    /// Of a body on a lattice along the axes, with its border, lines of symmetry left out, and the horizon over the spacing.
-    /// None without a lattice, and where too little is known around some place to tell a fit.
-    pub fn new(
-        model: &dyn PlaneModel,
-        outline: &Outline,
-        pieces: &[BorderPiece],
-        horizon_ratio: f64,
-        fitting: Fitting,
-    ) -> Option<Self> {
+    /// Of a body on a lattice along the axes with its horizon over the spacing. None without a lattice, and where too little is
+    /// known around some place to tell a fit.
+    pub fn new(model: &dyn PlaneModel, bounds: Bounds, horizon_ratio: f64, fitting: Fitting) -> Option<Self> {
         let (lattice, mirrors) = model.lattice()?;
         let grid = Grid::new(lattice, mirrors);
-        let border = Border::new(pieces, &grid);
+        let border = Border::new(bounds.pieces, &grid);
         let mut fits = Fits::new(&model.stiffness(), fitting.degree, fitting.reach);
-        let residual = Residual::new((&grid, &border, outline), model.thickness(), &mut fits)?;
+        let body = (&grid, &border, bounds.outline);
+        let residual = Residual::new(body, (model.thickness(), bounds.holes), &mut fits)?;
+        let weight = Weight::new(&model.stiffness(), grid.symmetric_origin())?;
         let depth = BAND * horizon_ratio;
-        let is_beside = |place: [f64; 2]| !border.near(place, depth).is_empty();
-        let beside: Vec<(u32, [f64; 2])> = grid
-            .real()
-            .map(|(number, place)| (number, place.map(f64::from)))
-            .filter(|p| is_beside(p.1))
-            .collect();
+        let (mut beside, mut in_holes) = (Vec::new(), Vec::new());
+        for (number, place) in grid.real() {
+            let place = place.map(f64::from);
+            let position = grid.position(place);
+            match HoleZone::at(bounds.holes, position) {
+                Some(hole) => in_holes.push((number, position, hole)),
+                None if !border.near(place, depth).is_empty() => beside.push((number, place)),
+                None => {}
+            }
+        }
         let places: Vec<[f64; 2]> = beside.iter().map(|p| p.1).collect();
         let fitted = fits.add(&places, &grid, &border)?;
         let band = beside.into_iter().map(|p| p.0).zip(fitted).collect();
-        Some(Self { grid, border, fits, residual, band })
+        let holes = bounds.holes.to_vec();
+        Some(Self { grid, border, holes, fits, residual, weight, band, in_holes })
     }
 
     /// Places on the border at which tractions or displacements are to be known.
@@ -80,65 +101,88 @@ impl Correction {
         &self.border.samples
     }
 
-    /// Forces of the tractions, N, in two planes.
-    pub fn load(&self, state: State) -> Vec<f64> {
-        let mut force = vec![0.0; 2 * state.points];
-        self.residual.add_loads(state, &mut force);
-        force
-    }
-
     /// What displacements lack of equilibrium: forces, N, in two planes.
     pub fn residual(&self, state: State) -> Vec<f64> {
-        let mut force = self.load(state);
-        self.residual.add_stresses(&self.fits, &self.border, state, &mut force);
+        let mut force = vec![0.0; 2 * state.points];
+        self.without_weight(state, |state| {
+            self.residual.add_loads(state, &mut force);
+            self.residual.add_stresses(&self.fits, &self.border, state, &mut force);
+        });
         force
     }
 
     /// Replaces displacements beside the border by those of the fits around the points.
     pub fn smooth(&self, state: State) -> Vec<f64> {
         let mut smooth = state.u.to_vec();
-        let moved = |(_, at): &(u32, Fitted)| self.field(at, [0.0; 2], state).displacement;
-        let all: Vec<[f64; 2]> = self.band.par_iter().with_min_len(64).map(moved).collect();
-        for ((point, _), u) in self.band.iter().zip(all) {
+        self.without_weight(state, |inner| {
+            let moved = |(_, at): &(u32, Fitted)| self.field(&self.fits, at, inner).displacement;
+            let all: Vec<[f64; 2]> = self.band.par_iter().with_min_len(64).map(moved).collect();
+            for ((point, at), [x, y]) in self.band.iter().zip(all) {
+                let own = self.weight.field(state.weight, self.grid.position(at.around.centre)).displacement;
+                smooth[*point as usize] = x + own[0];
+                smooth[state.points + *point as usize] = y + own[1];
+            }
+        });
+        for (point, position, hole) in &self.in_holes {
+            let Some(fit) = state.holes.get(*hole as usize) else { continue };
+            let u = fit.at(*position).displacement;
             (0..2).for_each(|c| smooth[c * state.points + *point as usize] = u[c]);
         }
         smooth
     }
 
-    /// Displacement and stress at a position of the body, m. None where too little is known around it.
-    pub fn at(&self, position: [f64; 2], state: State) -> Option<Field> {
+    /// Displacement and stress at positions of the body, m. None where too little is known around one.
+    pub fn at(&self, positions: &[[f64; 2]], state: State) -> Option<Vec<Field>> {
         let mut fits = self.fits.clone();
-        let at = fits.add(&[self.grid.place(position)], &self.grid, &self.border)?;
-        Some(Self::field_of(&fits, &self.grid, &self.border, &at[0], [0.0; 2], state))
+        let places: Vec<[f64; 2]> = positions.iter().map(|at| self.grid.place(*at)).collect();
+        let fitted = fits.add(&places, &self.grid, &self.border)?;
+        let mut found = Vec::new();
+        self.without_weight(state, |inner| {
+            let of = |(at, position): (&Fitted, &[f64; 2])| {
+                if let Some(fit) =
+                    HoleZone::at(&self.holes, *position).and_then(|k| state.holes.get(k as usize))
+                {
+                    return fit.at(*position);
+                }
+                let (mut field, own) =
+                    (self.field(&fits, at, inner), self.weight.field(state.weight, *position));
+                (0..2).for_each(|k| field.displacement[k] += own.displacement[k]);
+                (0..3).for_each(|k| field.stress[k] += own.stress[k]);
+                field
+            };
+            found = fitted.par_iter().zip(positions).with_min_len(64).map(of).collect();
+        });
+        Some(found)
     }
 
-    /// The same at every point of the body, with its number.
-    pub fn fields(&self, state: State) -> Vec<(usize, Field)> {
-        let places: Vec<(u32, [i32; 2])> = self.grid.real().collect();
-        let mut fits = self.fits.clone();
-        let centres: Vec<[f64; 2]> = places.iter().map(|(_, place)| place.map(f64::from)).collect();
-        let Some(fitted) = fits.add(&centres, &self.grid, &self.border) else { return Vec::new() };
-        let of = |((number, _), at): (&(u32, [i32; 2]), Fitted)| {
-            (*number as usize, Self::field_of(&fits, &self.grid, &self.border, &at, [0.0; 2], state))
-        };
-        places.par_iter().zip(fitted).with_min_len(64).map(of).collect()
-    }
-
-    fn field(&self, at: &Fitted, relative: [f64; 2], state: State) -> Field {
-        Self::field_of(&self.fits, &self.grid, &self.border, at, relative, state)
-    }
-
-    fn field_of(
-        fits: &Fits,
-        grid: &Grid,
-        border: &Border,
-        at: &Fitted,
-        relative: [f64; 2],
-        state: State,
-    ) -> Field {
-        let coefficients = fits.coefficients(at, border, state);
-        let u = fits.basis.displacements(relative) * &coefficients;
-        let stress = fits.basis.stresses(relative) * &coefficients * (fits.basis.unit() / fits.radius(grid));
+    /// The polynomials of a fit in its centre.
+    fn field(&self, fits: &Fits, at: &Fitted, state: State) -> Field {
+        let coefficients = fits.coefficients(at, &self.border, state);
+        let u = fits.basis.displacements([0.0; 2]) * &coefficients;
+        let unit = fits.basis.unit() / fits.radius(&self.grid);
+        let stress = fits.basis.stresses([0.0; 2]) * &coefficients * unit;
         Field { displacement: [u[0], u[1]], stress: [stress[0], stress[1], stress[2]] }
+    }
+
+    /// Works on a state less the field of the force on every point.
+    fn without_weight(&self, state: State, work: impl FnOnce(State)) {
+        if state.weight == [0.0; 2] {
+            return work(state);
+        }
+        let mut u = state.u.to_vec();
+        for (number, place) in self.grid.real() {
+            let own = self.weight.field(state.weight, self.grid.position(place.map(f64::from))).displacement;
+            (0..2).for_each(|c| u[c * state.points + number as usize] -= own[c]);
+        }
+        let held = self.border.held();
+        let less = |((known, sample), held): ((&[f64; 2], &Sample), [bool; 2])| {
+            let Field { displacement, stress: [xx, yy, xy] } = self.weight.field(state.weight, sample.at);
+            let [x, y] = sample.normal;
+            let traction = [xx * x + xy * y, xy * x + yy * y];
+            [0, 1].map(|k| known[k] - if held[k] { displacement[k] } else { traction[k] })
+        };
+        let border: Vec<[f64; 2]> =
+            state.border.iter().zip(&self.border.samples).zip(held).map(less).collect();
+        work(State { u: &u, border: &border, ..state });
     }
 }

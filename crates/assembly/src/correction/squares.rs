@@ -2,6 +2,7 @@
 
 use super::border::Border;
 use super::grid::{Grid, Node};
+use super::holes::HoleZone;
 use crate::body::Outline;
 use std::collections::HashMap;
 
@@ -22,6 +23,8 @@ pub(super) struct Squares {
     owners: HashMap<Square, u32>,
     /// Whether a square takes others or has a part of the border, or one beside it has.
     pub(super) is_plain: Vec<bool>,
+    /// The hole whose fields a square has in place of its own fit.
+    pub(super) holes: Vec<Option<u32>>,
 }
 
 /// A common side of two squares, or the part of it in the body.
@@ -36,7 +39,7 @@ pub(super) struct Face {
 }
 
 impl Squares {
-    pub(super) fn new(grid: &Grid, border: &Border) -> Self {
+    pub(super) fn new(grid: &Grid, border: &Border, zones: &[HoleZone]) -> Self {
         let (low, size) = grid.range();
         let places = (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| [low[0] + i, low[1] + j]));
         let is_whole = |square: &Square| corners(grid, *square).is_some();
@@ -44,16 +47,21 @@ impl Squares {
         let mut owners: HashMap<Square, u32> = whole.iter().copied().zip(0..).collect();
         let taken = rest.into_iter().filter_map(|square| Some((square, nearest(square, &owners)?)));
         let taken: Vec<(Square, u32)> = taken.collect();
+        let centre = |square: &Square| grid.position(square.map(|low| f64::from(low) + 0.5));
+        let holes: Vec<Option<u32>> =
+            whole.iter().map(|square| HoleZone::at(zones, centre(square))).collect();
         let mut is_plain: Vec<bool> = whole
             .iter()
-            .map(|square| {
+            .zip(&holes)
+            .map(|(square, hole)| {
                 let beside = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]].map(|step| moved(*square, step));
-                beside.iter().all(|other| owners.contains_key(other) && !border.crosses(*other))
+                hole.is_none()
+                    && beside.iter().all(|other| owners.contains_key(other) && !border.crosses(*other))
             })
             .collect();
         taken.iter().for_each(|(_, owner)| is_plain[*owner as usize] = false);
         owners.extend(taken);
-        Self { all: whole, owners, is_plain }
+        Self { all: whole, owners, is_plain, holes }
     }
 
     /// Number of the square that has the part of the body in this one.
@@ -61,7 +69,7 @@ impl Squares {
         self.owners.get(&square).copied()
     }
 
-    /// The faces between squares of which one at least is not plain.
+    /// The faces between squares of which one at least is not plain; within the fields of a hole there are none.
     pub(super) fn faces(&self, grid: &Grid, border: &Border, outline: &Outline) -> Vec<Face> {
         let mut faces = Vec::new();
         let mut squares: Vec<(&Square, &u32)> = self.owners.iter().collect();
@@ -71,7 +79,9 @@ impl Squares {
                 let step = if axis == 0 { [1, 0] } else { [0, 1] };
                 let next = moved(square, step);
                 let Some(second) = self.owner(next).filter(|second| *second != first) else { continue };
-                if [first, second].iter().all(|k| self.is_plain[*k as usize]) {
+                let [own, other] = [first, second].map(|k| self.holes[k as usize]);
+                let is_within_one = own.is_some() && own == other;
+                if is_within_one || [first, second].iter().all(|k| self.is_plain[*k as usize]) {
                     continue;
                 }
                 let from = next.map(f64::from);

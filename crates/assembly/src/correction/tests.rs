@@ -7,9 +7,13 @@ use crate::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
 use crate::model::plane::{Calibration, Edges, Mirrors};
+use crate::recovery::hole::{Ellipse, HoleFields, HoleFit};
 use std::sync::Arc;
 
 const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
+
+/// No weight and no holes.
+const NOTHING: ([f64; 2], &[HoleFit]) = ([0.0; 2], &[]);
 
 /// A displacement and its stress, of a material with Young's modulus 1 and Poisson's ratio 1/3 in plane stress.
 type Exact = dyn Fn([f64; 2]) -> ([f64; 2], [f64; 3]);
@@ -22,7 +26,7 @@ struct Plate {
 }
 
 impl Plate {
-    fn new(outline: &Outline, mirrors: Mirrors, fitting: Fitting) -> Self {
+    fn new(outline: &Outline, mirrors: Mirrors, holes: &[HoleZone]) -> Self {
         let lattice = mirrors.extended(&outline.fill(1.0).unwrap(), 2);
         let material = PlaneMaterial { youngs_modulus: 1.0, state: PlaneState::Stress, thickness: 2.0 };
         let parameters = PlaneParameters {
@@ -47,7 +51,8 @@ impl Plate {
             .filter(|part| !is_mirror(part))
             .map(|part| BorderPiece { part, held: [false; 2] })
             .collect();
-        let correction = Correction::new(&model, outline, &pieces, 2.0, fitting).unwrap();
+        let bounds = Bounds { outline, pieces: &pieces, holes };
+        let correction = Correction::new(&model, bounds, 2.0, FITTING).unwrap();
         let normals = correction.samples().iter().map(|sample| sample.normal).collect();
         Self { model, correction, normals }
     }
@@ -71,10 +76,17 @@ impl Plate {
     }
 
     /// Residual of displacements under the tractions of a field, and the largest force of these.
-    fn residual(&self, u: &[f64], tractions: &Exact) -> (Vec<f64>, f64) {
+    fn residual(
+        &self,
+        u: &[f64],
+        tractions: &Exact,
+        (weight, holes): ([f64; 2], &[HoleFit]),
+    ) -> (Vec<f64>, f64) {
         let border = self.tractions(tractions);
-        let state = State { u, points: self.points(), border: &border };
-        (self.correction.residual(state), largest(&self.correction.load(state)))
+        let state = State { u, points: self.points(), border: &border, weight, holes };
+        let spacing_and_thickness = 2.0;
+        let traction = border.iter().flatten().fold(0.0_f64, |most, t| most.max(t.abs()));
+        (self.correction.residual(state), traction * spacing_and_thickness)
     }
 }
 
@@ -120,8 +132,8 @@ fn with_holes() -> Outline {
 #[test]
 fn what_fits_reproduce_leaves_nothing() {
     for outline in [rectangle(), with_holes()] {
-        let plate = Plate::new(&outline, Mirrors::NONE, FITTING);
-        let (r, load) = plate.residual(&plate.displacements(&cubic), &cubic);
+        let plate = Plate::new(&outline, Mirrors::NONE, &[]);
+        let (r, load) = plate.residual(&plate.displacements(&cubic), &cubic, NOTHING);
         // Found: 2e-13 and 1e-12.
         assert!(largest(&r) < 1e-11 * load, "{:e} of {load:e}", largest(&r));
     }
@@ -129,8 +141,8 @@ fn what_fits_reproduce_leaves_nothing() {
 
 #[test]
 fn what_fits_nearly_reproduce_leaves_little() {
-    let plate = Plate::new(&rectangle(), Mirrors::NONE, FITTING);
-    let (r, load) = plate.residual(&plate.displacements(&transcendental), &transcendental);
+    let plate = Plate::new(&rectangle(), Mirrors::NONE, &[]);
+    let (r, load) = plate.residual(&plate.displacements(&transcendental), &transcendental, NOTHING);
     println!("man {:e} of {load:e}", largest(&r));
     assert!(largest(&r) < 3e-5 * load, "{:e} of {load:e}", largest(&r));
 }
@@ -139,16 +151,26 @@ fn what_fits_nearly_reproduce_leaves_little() {
 #[test]
 fn residuals_have_the_force_and_the_moment_of_the_tractions() {
     for outline in [rectangle(), with_holes()] {
-        let plate = Plate::new(&outline, Mirrors::NONE, FITTING);
+        let round = Ellipse { centre: [12.3, 12.1], half_axes: [5.2; 2] };
+        let zones: &[HoleZone] =
+            if outline.holes().is_empty() { &[] } else { &[HoleZone { ellipse: round, level: 1.3 }] };
+        let plate = Plate::new(&outline, Mirrors::NONE, zones);
         let n = plate.points();
         let u: Vec<f64> = (0..2 * n).map(|k| ((k * k) as f64 * 0.37).sin()).collect();
-        let (r, _) = plate.residual(&u, &cubic);
+        let fields = HoleFields::new(&plate.model.stiffness(), round, 4).unwrap();
+        let near = (0..n).map(|p| (crate::model::BodyModel::place(&plate.model, p), [u[p], u[n + p]]));
+        let fit = HoleFit::new(fields, 0.0, near.filter(|(at, _)| (1.0..1.3).contains(&round.level(*at))));
+        let tractions = |at: [f64; 2]| match !zones.is_empty() && round.level(at) < 1.01 {
+            true => ([0.0; 2], [0.0; 3]),
+            false => cubic(at),
+        };
+        let (r, _) = plate.residual(&u, &tractions, ([0.0; 2], fit.as_slice()));
         let places: Vec<[f64; 2]> = (0..n).map(|p| crate::model::BodyModel::place(&plate.model, p)).collect();
         let force = [0, 1].map(|c| r[c * n..(c + 1) * n].iter().sum::<f64>());
         let moment: f64 = places.iter().enumerate().map(|(p, [x, y])| x * r[n + p] - y * r[p]).sum();
         let size = largest(&r);
         println!("{force:?} {moment} of {size}");
-        // Cubic tractions balance.
+        // Cubic tractions balance; on the hole they do so by themselves.
         assert!(force.iter().all(|f| f.abs() < 1e-12 * size), "{force:?} of {size}");
         assert!(moment.abs() < 1e-12 * size * 40.0, "{moment} of {size}");
     }
@@ -169,9 +191,28 @@ fn mirrors_are_seen_as_the_other_half() {
         let mut outline = Outline::rectangle(low, [14.0, 11.0]).unwrap();
         let shape = Shape::Circle { centre: [0.0; 2], radius: 4.3 };
         outline.cut(Hole { name: None, shape }).unwrap();
-        let plate = Plate::new(&outline, Mirrors::in_plane(columns, rows), FITTING);
-        let (r, load) = plate.residual(&plate.displacements(&symmetric), &symmetric);
+        let plate = Plate::new(&outline, Mirrors::in_plane(columns, rows), &[]);
+        let (r, load) = plate.residual(&plate.displacements(&symmetric), &symmetric, NOTHING);
         // Found: 1e-13 and less.
         assert!(largest(&r) < 1e-11 * load, "{low:?}: {:e} of {load:e}", largest(&r));
     }
+}
+
+/// A body under its weight, with a stress that balances it: σ_xx = −b_x x + y, σ_yy = −b_y y, σ_xy = x.
+#[test]
+fn weight_is_in_balance_with_its_stress() {
+    let force = [0.3, -0.7];
+    let nu = 1.0 / 3.0;
+    let exact = move |[x, y]: [f64; 2]| {
+        let [a, b] = force;
+        // ε_xx = −a x + y + ν b y, ε_yy = −b y + ν a x − ν y, γ = 8/3 x.
+        let u = -0.5 * a * x * x + (1.0 + nu * b) * x * y - 0.5 * nu * a * y * y;
+        let v =
+            -0.5 * b * y * y + nu * a * x * y - 0.5 * nu * y * y + 0.5 * (8.0 / 3.0 - 1.0 - nu * b) * x * x;
+        ([u, v], [-a * x + y, -b * y, x])
+    };
+    let plate = Plate::new(&with_holes(), Mirrors::NONE, &[]);
+    // ∂σ_xy/∂x = 1 takes one more along y, ∂σ_xy/∂y nothing.
+    let (r, load) = plate.residual(&plate.displacements(&exact), &exact, ([force[0], force[1] - 1.0], &[]));
+    assert!(largest(&r) < 1e-11 * load, "{:e} of {load:e}", largest(&r));
 }

@@ -4,20 +4,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Whose solution the results are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Continuum {
     /// That of the bonds, with their horizon.
-    #[default]
     Nonlocal,
     /// That of local elasticity, which horizons that go to zero lead to: residuals of stresses of the fourth order correct that of
     /// the bonds.
     Local,
-}
-
-impl Continuum {
-    /// Whether nothing is corrected.
-    pub fn is_nonlocal(&self) -> bool {
-        *self == Self::Nonlocal
-    }
 }

@@ -183,9 +183,9 @@ pub struct Case {
     /// How to solve; `auto` says what it took and why.
     #[serde(default)]
     pub solver: Solver,
-    /// Whose solution the results of a body in the plane are.
-    #[serde(default, skip_serializing_if = "Continuum::is_nonlocal")]
-    pub limit: Continuum,
+    /// Whose solution the results of a body in the plane are; `nonlocal` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limit: Option<Continuum>,
     /// How many corrections at most lead to the limit `local`, 0 to 4; 2 if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub corrections: Option<usize>,
@@ -230,6 +230,11 @@ impl Case {
             _ => None,
         });
         baselines.chain(body).chain(surfaces).chain(tables).chain(self.library.as_mut()).collect()
+    }
+
+    /// Whether displacements are to be corrected until they are those of local elasticity.
+    pub fn is_corrected(&self) -> bool {
+        self.limit == Some(Continuum::Local)
     }
 
     /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.

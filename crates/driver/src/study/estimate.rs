@@ -83,7 +83,7 @@ impl Loaded {
         if self.scene.case().is_traced() {
             return Err("bodies that break or soften jump from state to state".into());
         }
-        if !self.scene.case().limit.is_nonlocal() {
+        if self.scene.case().is_corrected() {
             return Err(
                 "displacements are corrected: the size of the last correction tells what is left".into()
             );

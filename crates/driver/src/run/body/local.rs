@@ -7,11 +7,12 @@ use super::fields::BodyResult;
 use super::of_stress::{Medium, of_stress};
 use crate::diagnostic::{Faults, root};
 use crate::run::{Corrections, RunError, scan};
-use crate::scene::body::{BodyProbe, BodyScene, BodyState, LocalLimit, Quantity};
+use crate::scene::body::{BodyProbe, BodyScene, BodyState, HoleRing, LocalLimit, Quantity};
 use nalgebra::{DMatrix, DVector};
-use peristat_assembly::correction::{Correction, Fitting, State};
+use peristat_assembly::body::Outline;
+use peristat_assembly::correction::{Bounds, Correction, Fitting, HoleZone, State};
 use peristat_assembly::model::plane::PlaneModel;
-use peristat_assembly::recovery::hole::Field;
+use peristat_assembly::recovery::hole::{Field, HoleFit};
 
 /// Polynomials of the fourth degree over three spacings: 18 fields of 32 points.
 const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
@@ -22,20 +23,40 @@ const NONE: f64 = 1e-9;
 
 /// What the displacements of a body are corrected by.
 #[derive(Debug)]
-pub(super) struct Local {
+pub(super) struct Local<'a> {
+    scene: &'a BodyScene,
+    limit: &'a LocalLimit,
     correction: Correction,
+    /// Around the holes that have fields of their own.
+    rings: Vec<HoleRing>,
 }
 
-impl Local {
+/// What is known of a state beside its displacements.
+struct Around {
+    border: Vec<[f64; 2]>,
+    weight: [f64; 2],
+    holes: Vec<HoleFit>,
+}
+
+impl Around {
+    fn state<'a>(&'a self, u: &'a [f64], points: usize) -> State<'a> {
+        State { u, points, border: &self.border, weight: self.weight, holes: &self.holes }
+    }
+}
+
+impl<'a> Local<'a> {
     /// Of a scene that asks for it.
     ///
     /// # Errors
     /// A body that is too thin somewhere to tell a fit.
-    pub(super) fn of(scene: &BodyScene) -> Result<Option<Self>, RunError> {
+    pub(super) fn of(scene: &'a BodyScene) -> Result<Option<Self>, RunError> {
         let Some((limit, model, outline)) = parts(scene) else { return Ok(None) };
         let ratio = scene.material().about().horizon_ratio;
-        match Correction::new(model, outline, &limit.pieces, ratio, FITTING) {
-            Some(correction) => Ok(Some(Self { correction })),
+        let rings = HoleRing::of(scene).into_iter().filter_map(|ring| Some((ring.zone()?, ring)));
+        let (holes, rings): (Vec<HoleZone>, Vec<HoleRing>) = rings.unzip();
+        let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes };
+        match Correction::new(model, bounds, ratio, FITTING) {
+            Some(correction) => Ok(Some(Self { scene, limit, correction, rings })),
             None => {
                 let mut faults = Faults::default();
                 faults
@@ -52,18 +73,17 @@ impl Local {
     /// Corrected displacements of a state, and how it went.
     pub(super) fn corrected(
         &self,
-        scene: &BodyScene,
         state: usize,
         u: &[f64],
         solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
     ) -> (Vec<f64>, Corrections) {
-        let border = self.border(scene, &scene.states[state]);
-        let points = scene.model.points();
+        let state = &self.scene.states[state];
+        let points = self.scene.model.points();
         let mut done = Corrections { sizes: Vec::new(), stalled: false };
         let (mut u, mut before) = (u.to_vec(), f64::INFINITY);
-        let most = scene.limit.as_ref().map_or(0, |limit| limit.corrections);
-        for _ in 0..most {
-            let now = State { u: &u, points, border: &border };
+        for _ in 0..self.limit.corrections {
+            let Some(around) = self.around(state, &u) else { break };
+            let now = around.state(&u, points);
             let residual = self.correction.residual(now);
             let step = solve(&residual);
             let norm = step.iter().zip(&residual).map(|(d, r)| d * r).sum::<f64>().max(0.0).sqrt();
@@ -77,37 +97,75 @@ impl Local {
             done.sizes.push(scan::largest(&step) / scan::largest(&next).max(f64::MIN_POSITIVE));
             u = next;
         }
-        move_back(scene, &scene.states[state], &mut u);
-        fill_images(scene, &mut u);
+        self.move_back(state, &mut u);
+        fill_images(self.scene, &mut u);
         (u, done)
     }
 
-    /// Gives the result of a state the stresses of the fits, and its probes what these find where they are.
-    pub(super) fn complete(&self, scene: &BodyScene, result: &mut BodyResult) {
-        let border = self.border(scene, &scene.states[result.record.index]);
-        let now = State { u: &result.record.u, points: scene.model.points(), border: &border };
-        let probed = scene.probes.iter().map(|probe| {
-            let [x, y, _] = probe.position?;
-            self.correction.at([x, y], now)
+    /// What is known of a state with some displacements; none where nothing moves around a hole.
+    fn around(&self, state: &BodyState, u: &[f64]) -> Option<Around> {
+        let holes = self.rings.iter().map(|ring| ring.fit(self.scene, state, u)).collect::<Option<_>>()?;
+        let weight = state.terms.iter().fold([0.0; 2], |sum, &(case, factor)| {
+            let [x, y, _] = self.scene.load_cases[case].weight;
+            [sum[0] + factor * x, sum[1] + factor * y]
         });
-        result.probed = probed.collect();
-        if let Some(recovered) = &mut result.recovered {
-            for (point, Field { stress, .. }) in self.correction.fields(now) {
-                (0..3).for_each(|k| recovered.stress[k][point] = stress[k]);
-                let stress = [stress[0], stress[1], stress[2], 0.0, 0.0, 0.0];
-                let across = scene.model.across_of(stress);
-                let strain = scene.model.strains_of(stress, across);
-                recovered.energy_density[point] = 0.5 * (0..3).map(|k| stress[k] * strain[k]).sum::<f64>();
-                if let Some(own) = recovered.across.get_mut(point) {
-                    *own = across;
-                }
-            }
-            recovered.fill_images(scene);
-        }
+        Some(Around { border: self.limit.known(state, self.correction.samples()), weight, holes })
     }
 
-    fn border(&self, scene: &BodyScene, state: &BodyState) -> Vec<[f64; 2]> {
-        scene.limit.as_ref().map_or(Vec::new(), |limit| limit.known(state, self.correction.samples()))
+    /// Gives the result of a state the stresses of the fits, and its probes what these find where they are.
+    pub(super) fn complete(&self, result: &mut BodyResult) {
+        let (scene, n) = (self.scene, self.scene.model.points());
+        let Some(around) = self.around(&scene.states[result.record.index], &result.record.u) else { return };
+        let now = around.state(&result.record.u, n);
+        let probed = scene.probes.iter().map(|probe| {
+            let [x, y, _] = probe.position?;
+            self.correction.at(&[[x, y]], now)?.pop()
+        });
+        result.probed = probed.collect();
+        let Some(recovered) = &mut result.recovered else { return };
+        let points: Vec<usize> = scene.real_points().collect();
+        let places: Vec<[f64; 2]> = points.iter().map(|point| scene.model.place(*point)).collect();
+        let found = self.correction.at(&places, now).unwrap_or_default();
+        for (point, Field { stress: [xx, yy, xy], .. }) in points.into_iter().zip(found) {
+            (0..3).for_each(|k| recovered.stress[k][point] = [xx, yy, xy][k]);
+            let stress = [xx, yy, xy, 0.0, 0.0, 0.0];
+            let across = scene.model.across_of(stress);
+            let strain = scene.model.strains_of(stress, across);
+            recovered.energy_density[point] = 0.5 * (0..3).map(|k| stress[k] * strain[k]).sum::<f64>();
+            if let Some(own) = recovered.across.get_mut(point) {
+                *own = across;
+            }
+        }
+        recovered.fill_images(scene);
+    }
+
+    /// Moves the body as a rigid one until its points are where they are held.
+    fn move_back(&self, state: &BodyState, u: &mut [f64]) {
+        let (model, free, n) = (&self.scene.model, &self.limit.free, self.scene.model.points());
+        let holds = free.holds.iter().map(|k| &self.scene.conditions.holds[*k]);
+        let held: Vec<(usize, [f64; 3], f64)> = holds
+            .flat_map(|hold| {
+                hold.points.iter().zip(&hold.values).map(|(p, v)| (*p as usize, hold.direction, *v))
+            })
+            .collect();
+        if held.is_empty() || free.motions.is_empty() {
+            return;
+        }
+        let along = |direction: &[f64; 3], [x, y]: [f64; 2]| direction[0] * x + direction[1] * y;
+        let works = DMatrix::from_fn(held.len(), free.motions.len(), |r, c| {
+            along(&held[r].1, free.at(free.motions[c], model.place(held[r].0)))
+        });
+        let off = held
+            .iter()
+            .map(|(p, direction, value)| state.motion_factor * value - along(direction, [u[*p], u[n + *p]]));
+        let off = DVector::from_iterator(held.len(), off);
+        let Ok(shares) = works.svd(true, true).solve(&off, NONE) else { return };
+        for point in 0..n {
+            for (share, motion) in shares.iter().zip(&free.motions) {
+                let by = free.at(*motion, model.place(point));
+                (0..2).for_each(|c| u[c * n + point] += share * by[c]);
+            }
+        }
     }
 }
 
@@ -123,48 +181,8 @@ pub(super) fn read(scene: &BodyScene, result: &BodyResult, (k, probe): (usize, &
 }
 
 /// The limit with the body that it is of.
-fn parts(scene: &BodyScene) -> Option<(&LocalLimit, &dyn PlaneModel, &peristat_assembly::body::Outline)> {
+fn parts(scene: &BodyScene) -> Option<(&LocalLimit, &dyn PlaneModel, &Outline)> {
     Some((scene.limit.as_deref()?, scene.model.as_plane()?, scene.outline()?))
-}
-
-/// Moves a body as a rigid one until its points are where they are held.
-fn move_back(scene: &BodyScene, state: &BodyState, u: &mut [f64]) {
-    let n = scene.model.points();
-    let place = |point: usize| scene.model.place(point);
-    let free = free_motions(scene);
-    let motion = |k: usize, point: usize| match k {
-        0 => [1.0, 0.0],
-        1 => [0.0, 1.0],
-        _ => [-place(point)[1], place(point)[0]],
-    };
-    let equations = &scene.equations;
-    let works = DMatrix::from_fn(equations.len(), free.len(), |r, c| {
-        equations[r].terms.iter().map(|(of, share)| share * motion(free[c], of.point)[of.component]).sum()
-    });
-    let off = DVector::from_iterator(
-        equations.len(),
-        equations.iter().map(|equation| {
-            let is = equation.terms.iter().map(|(of, share)| share * u[of.component * n + of.point]);
-            state.motion_factor * equation.value - is.sum::<f64>()
-        }),
-    );
-    let svd = works.svd(true, true);
-    let least = NONE * svd.singular_values.max();
-    let Ok(shares) = svd.solve(&off, least) else { return };
-    for (share, k) in shares.iter().zip(free) {
-        for point in 0..n {
-            let by = motion(k, point);
-            (0..2).for_each(|c| u[c * n + point] += share * by[c]);
-        }
-    }
-}
-
-/// Translations along x and y and the rotation, those that lines of symmetry leave.
-fn free_motions(scene: &BodyScene) -> Vec<usize> {
-    let lines = scene.model.lattice().map_or([[None; 2]; 3], |(_, mirrors)| mirrors.lines);
-    let is_free = |axis: usize| lines[axis] == [None; 2];
-    let free = [is_free(0), is_free(1), is_free(0) && is_free(1)];
-    (0..3).filter(|k| free[*k]).collect()
 }
 
 /// Gives images the displacements of their points.

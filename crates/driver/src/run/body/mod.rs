@@ -108,7 +108,7 @@ fn run_body<const D: usize>(
         layers.check(scene, &solved.solution.u, &mut warnings);
         let mut result = fields::collect(scene, solved, (&found.values, &rings), recover);
         if let Some(local) = &problem.local {
-            local.complete(scene, &mut result);
+            local.complete(&mut result);
         }
         hole_fits::check(&result, &mut warnings);
         sink(result)

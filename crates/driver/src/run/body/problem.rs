@@ -34,7 +34,7 @@ pub struct BodyProblem<'a, M: ?Sized> {
     /// What the model has that the scene has not, for messages: `with the tip moved by a spacing `.
     apart: &'static str,
     /// What its displacements are corrected by, where that is asked for.
-    pub(super) local: Option<Local>,
+    pub(super) local: Option<Local<'a>>,
 }
 
 impl<'a, M: ?Sized> BodyProblem<'a, M> {
@@ -85,7 +85,7 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         u: &[f64],
         solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
     ) -> Option<(Vec<f64>, Corrections)> {
-        Some(self.local.as_ref()?.corrected(self.scene, state, u, solve))
+        Some(self.local.as_ref()?.corrected(state, u, solve))
     }
 
     fn breaks(&self) -> bool {

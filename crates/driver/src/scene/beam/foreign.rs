@@ -27,7 +27,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
         ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
         ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
         ("path", case.path.is_some(), "beams do not soften: `fracture` breaks their bonds"),
-        ("limit", !case.limit.is_nonlocal(), "refine the line: its error is estimated by itself"),
+        ("limit", case.is_corrected(), "refine the line: its error is estimated by itself"),
         ("corrections", case.corrections.is_some(), "leave it out"),
         ("stress_intensity", !case.stress_intensity.is_empty(), &*intensities),
     ];

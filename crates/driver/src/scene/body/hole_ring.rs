@@ -4,6 +4,7 @@ use super::scene::{BodyScene, BodyState};
 use crate::case::{Load, Names, number};
 use crate::model::Surface;
 use peristat_assembly::body::{BorderMember, BorderPart, Outline, Shape};
+use peristat_assembly::correction::HoleZone;
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::recovery::hole::{Ellipse, HoleFields, HoleFit};
 
@@ -32,12 +33,14 @@ pub struct HoleRing {
     points: Vec<u32>,
     /// Whether lines of symmetry across x and across y run through its middle.
     mirrors: [bool; 2],
+    /// Outer over inner radius.
+    reach: f64,
     /// Pressure on the hole at a factor of one, by load case, Pa.
     pressures: Vec<f64>,
 }
 
 impl HoleRing {
-    /// Rings of the holes on which probes ask for stresses. Bodies that break, that are revolved or curved, or whose moduli are not
+    /// Rings of the holes on which probes ask for stresses, or of all holes of a body whose displacements are corrected. Bodies that break, that are revolved or curved, or whose moduli are not
     /// those of the material, have none.
     pub(crate) fn of(scene: &BodyScene) -> Vec<Self> {
         // The fields are those of bodies that move in their plane.
@@ -51,6 +54,7 @@ impl HoleRing {
         if scene.load_cases.iter().any(|loads| loads.eigenstrain.is_some()) {
             return Vec::new();
         }
+        let is_corrected = scene.limit.is_some();
         let asked = |ellipse: &Ellipse| {
             let mut places = scene.probes.iter().filter(|p| p.is_recovered()).filter_map(|p| p.position);
             places.any(|[x, y, _]| is_on(ellipse, [x, y]))
@@ -61,7 +65,7 @@ impl HoleRing {
                 Shape::Ellipse { centre, half_axes, .. } => Ellipse { centre, half_axes },
                 Shape::Slot { .. } | Shape::Polygon(_) => return None,
             };
-            asked(&ellipse).then(|| Self::new(scene, outline, k, ellipse)).flatten()
+            (is_corrected || asked(&ellipse)).then(|| Self::new(scene, outline, k, ellipse)).flatten()
         };
         (0..outline.holes().len()).filter_map(ring).collect()
     }
@@ -95,7 +99,17 @@ impl HoleRing {
         let points: Vec<usize> = scene.real_points().filter(|p| (1.0..inside).contains(&level(*p))).collect();
         let step = points.len().div_ceil(MOST_POINTS).max(1);
         let points = points.into_iter().step_by(step).map(|p| p as u32).collect();
-        Some(Self { ellipse, points, mirrors, pressures })
+        Some(Self { ellipse, points, mirrors, reach: inside, pressures })
+    }
+
+    /// Where its fields take the place of polynomials: well within the ring that they are fitted to. None where there are too few
+    /// points for any of them.
+    pub(crate) fn zone(&self) -> Option<HoleZone> {
+        const INNER: f64 = 0.6;
+        let images = self.mirrors.iter().map(|mirrored| if *mirrored { 2 } else { 1 }).product::<usize>();
+        let fields = 4 * ORDERS[ORDERS.len() - 1] + 2;
+        let is_told = 2 * images * self.points.len() >= 3 * fields;
+        is_told.then(|| HoleZone { ellipse: self.ellipse, level: 1.0 + INNER * (self.reach - 1.0) })
     }
 
     /// Whether a place is on its hole.

@@ -157,8 +157,7 @@ impl BodyScene {
             conditions: &conditions,
             supports: &supports,
         };
-        let tractions: Vec<_> = load_cases.iter().map(|loads| &loads.on_border[..]).collect();
-        let limit = LocalLimit::resolve(&site, &tractions, faults);
+        let limit = LocalLimit::resolve(&site, &load_cases, faults);
         strengths::check(case, &*inputs.material, faults);
         let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();

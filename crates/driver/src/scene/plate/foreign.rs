@@ -11,7 +11,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         ("periodic", !case.periodic.is_empty(), "model half of the plate beside a line of `symmetry`"),
         ("cracks", !case.cracks.is_empty(), "a slot that parts cells is a `holes` polygon"),
         ("stress_intensity", !case.stress_intensity.is_empty(), "plates in bending have no cracks"),
-        ("limit", !case.limit.is_nonlocal(), "use a smaller spacing"),
+        ("limit", case.is_corrected(), "use a smaller spacing"),
         ("corrections", case.corrections.is_some(), "leave it out"),
         ("fracture", case.fracture.is_some(), "the bonds of a plate in bending do not break"),
         ("path", case.path.is_some(), "the bonds of a plate in bending do not soften"),

@@ -47,7 +47,7 @@ impl HeldPoints {
     }
 
     /// Whether a border is held, not its points.
-    pub(in crate::scene::body) fn is_on_border(&self) -> bool {
+    pub(super) fn is_on_border(&self) -> bool {
         self.edge.is_some() || !self.pieces.is_empty()
     }
 

@@ -5,13 +5,16 @@ mod refuse;
 mod supports;
 
 use super::hold::held_body::HeldBody;
+use super::load::sums::BodyLoads;
 use super::load::traction::on_border::OnBorder;
 use super::load::traction::profile::Profile;
 use super::scene::BodyState;
 use super::site::boundary::{self, Border};
 use crate::diagnostic::Faults;
-use peristat_assembly::body::{BorderMember, Edge, Outline};
+use crate::scene::prescribed::Motion;
+use peristat_assembly::body::{BorderMember, Edge, Outline, in_space};
 use peristat_assembly::correction::{BorderPiece, Sample};
+pub(crate) use supports::FreeMotions;
 
 /// Corrections of a case that gives no number.
 const USUAL: usize = 2;
@@ -25,6 +28,10 @@ pub(crate) struct LocalLimit {
     members: Vec<BorderMember>,
     /// By load case.
     tractions: Vec<Vec<Acting>>,
+    /// What supports prescribe along edges, by member and axis.
+    held: Vec<(BorderMember, usize, Motion)>,
+    /// Rigid motions that nothing but points holds.
+    pub(crate) free: FreeMotions,
 }
 
 /// A traction on a member of the border.
@@ -39,24 +46,28 @@ struct Acting {
 impl LocalLimit {
     /// That of a case with the tractions of its load cases; none of one that asks for no limit. Adds a fault for everything that
     /// stands against it.
-    pub(super) fn resolve(site: &HeldBody, tractions: &[&[OnBorder]], faults: &mut Faults) -> Option<Self> {
+    pub(super) fn resolve(site: &HeldBody, loads: &[BodyLoads], faults: &mut Faults) -> Option<Self> {
         let case = site.ground.case;
         refuse::check_keys(case, faults);
-        if case.limit.is_nonlocal() {
+        if !case.is_corrected() {
             return None;
         }
         let corrections = case.corrections.unwrap_or(USUAL);
         let outline = refuse::body(site, faults)?;
         refuse::loads(case, faults);
-        supports::check(site, faults);
-        let (members, pieces) = pieces(outline, site);
+        let weights: Vec<[f64; 3]> = loads.iter().map(|loads| loads.weight).collect();
+        refuse::weight(&weights, site, faults);
+        let held = supports::along_border(site, outline, faults);
+        let (members, pieces) = pieces(outline, site, &held);
+        let free = supports::check(site, &held, outline, faults);
         corners::check(&pieces, site.ground.body.spacing(), faults);
-        let acting = |on: &&[OnBorder]| on.iter().filter_map(|on| Acting::new(on, outline, faults)).collect();
-        let tractions = tractions.iter().map(acting).collect();
-        Some(Self { corrections, pieces, members, tractions })
+        let mut acting =
+            |on: &[OnBorder]| on.iter().filter_map(|on| Acting::new(on, outline, faults)).collect();
+        let tractions = loads.iter().map(|loads| acting(&loads.on_border)).collect();
+        Some(Self { corrections, pieces, members, tractions, held, free })
     }
 
-    /// Tractions of a state at samples of the border, Pa.
+    /// What is known of a state at samples of the border, by axes: the displacement where it is held, m, else the traction, Pa.
     pub(crate) fn known(&self, state: &BodyState, samples: &[Sample]) -> Vec<[f64; 2]> {
         let at = |sample: &Sample| {
             let member = self.members[sample.piece];
@@ -64,10 +75,16 @@ impl LocalLimit {
                 let own = self.tractions[case].iter().filter(move |acting| acting.member == member);
                 own.map(move |acting| (acting, factor))
             });
-            terms.fold([0.0; 2], |sum, (acting, factor)| {
+            let mut known = terms.fold([0.0; 2], |sum, (acting, factor)| {
                 let traction = acting.at(sample);
                 [0, 1].map(|k| sum[k] + factor * traction[k])
-            })
+            });
+            for (_, axis, motion) in self.held.iter().filter(|held| held.0 == member) {
+                let value = motion.values(in_space(sample.at), None).ok();
+                known[*axis] =
+                    value.and_then(|v| v.first().copied()).unwrap_or(f64::NAN) * state.motion_factor;
+            }
+            known
         };
         samples.iter().map(at).collect()
     }
@@ -95,12 +112,19 @@ impl Acting {
 }
 
 /// The border of a body by its members, lines of symmetry left out.
-fn pieces(outline: &Outline, site: &HeldBody) -> (Vec<BorderMember>, Vec<BorderPiece>) {
+fn pieces(
+    outline: &Outline,
+    site: &HeldBody,
+    held: &[(BorderMember, usize, Motion)],
+) -> (Vec<BorderMember>, Vec<BorderPiece>) {
     let edges = outline.edges().iter().enumerate();
     let edges = edges.filter(|(_, edge)| !site.inputs.symmetry.replaces(&edge.name));
     let edges = edges
         .flat_map(|(k, edge)| outline.edge_parts(edge).into_iter().map(move |p| (BorderMember::Edge(k), p)));
     let holes = (0..outline.holes().len())
         .flat_map(|k| outline.hole_parts(k).into_iter().map(move |p| (BorderMember::Hole(k), p)));
-    edges.chain(holes).map(|(member, part)| (member, BorderPiece { part, held: [false; 2] })).unzip()
+    let is_held = |member, axis| held.iter().any(|(other, k, _)| *other == member && *k == axis);
+    let piece =
+        |(member, part)| (member, BorderPiece { part, held: [0, 1].map(|axis| is_held(member, axis)) });
+    edges.chain(holes).map(piece).unzip()
 }

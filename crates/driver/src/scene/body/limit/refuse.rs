@@ -1,7 +1,7 @@
 //! What has no limit of local elasticity that corrections find.
 
-use crate::case::{Case, Load};
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::case::{BodyForce, Case, Load};
+use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::model::Surface;
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::load::traction::on_border::OnBorder;
@@ -12,6 +12,9 @@ use peristat_assembly::model::plane::Calibration;
 /// Most corrections: behind them nothing but rounding is left.
 const MOST: usize = 4;
 
+/// Points per radius of a hole that fits see on one side of it alone.
+const NARROWEST: f64 = 3.0;
+
 /// Leave it out, and the results are those of the bonds.
 const LEAVE: &str = "leave `limit` out: the results are those of the bonds then";
 
@@ -19,7 +22,7 @@ const LEAVE: &str = "leave `limit` out: the results are those of the bonds then"
 pub(crate) fn check_keys(case: &Case, faults: &mut Faults) {
     let Some(corrections) = case.corrections else { return };
     let path = root("corrections");
-    if case.limit.is_nonlocal() {
+    if !case.is_corrected() {
         faults
             .error(path, "`corrections` lead to the limit `local`, which is not asked for")
             .hint("write \"limit\": \"local\", or leave `corrections` out");
@@ -70,7 +73,34 @@ pub(super) fn body<'a>(site: &HeldBody<'a>, faults: &mut Faults) -> Option<&'a O
             "round the hole, or leave `limit` out",
         );
     }
+    let spacing = lattice.spacing();
+    let narrowest = outline.holes().iter().map(|hole| match &hole.shape {
+        Shape::Circle { radius, .. } | Shape::Slot { radius, .. } => *radius,
+        Shape::Ellipse { half_axes, .. } => half_axes[0].min(half_axes[1]),
+        Shape::Polygon(_) => f64::INFINITY,
+    });
+    let narrowest = narrowest.fold(f64::INFINITY, f64::min) / spacing;
+    if narrowest < NARROWEST {
+        let found = tidy((10.0 * narrowest).round() / 10.0);
+        tell(
+            &format!(
+                "a hole has {found} points per radius, and its stresses are not polynomials over less than {NARROWEST}"
+            ),
+            "use a smaller spacing",
+        );
+    }
     (!faults.has_errors()).then_some(outline)
+}
+
+/// Adds a fault where lines of symmetry stand across a weight.
+pub(super) fn weight(weights: &[[f64; 3]], site: &HeldBody, faults: &mut Faults) {
+    let is_mirrored =
+        |axis: usize| site.inputs.symmetry.at[2 * axis..2 * axis + 2].iter().any(Option::is_some);
+    if weights.iter().any(|weight| (0..2).any(|axis| weight[axis] != 0.0 && is_mirrored(axis))) {
+        faults
+            .error(root("limit"), "a line of symmetry stands across the weight: behind it things would fall the other way, and `local` has no stress of that")
+            .hint("hold the side by a support, or leave `limit` out");
+    }
 }
 
 /// Faults of loads whose stresses no polynomial has.
@@ -88,21 +118,33 @@ fn load_fault(load: &Load, path: &JsonPath, faults: &mut Faults) {
     let (key, why) = match load {
         Load::Point(_) => ("point", "under a force at a point they are infinite"),
         Load::Temperature(_) => ("temperature", "a body that heat stretches has others"),
-        Load::BodyForce(_) => {
-            ("body_force", "forces inside of the body are not among what is in balance with them")
+        Load::InitialStrain(_) => ("initial_strain", "a body with strains of its own has others"),
+        Load::BodyForce(load) if load.region.is_some() || is_formula(load) => {
+            ("body_force", "a force that varies within the body is not among what is in balance with them")
         }
-        Load::Gravity(_) => ("gravity", "weight is not among what is in balance with them"),
+        Load::Gravity(load) if load.region.is_some() => {
+            ("gravity", "the weight of a part is not among what is in balance with them")
+        }
         Load::Spin(_) => ("spin", "forces of a spin are not among what is in balance with them"),
         // What acts on no body in the plane has its own fault.
         Load::Traction(_)
+        | Load::BodyForce(_)
+        | Load::Gravity(_)
         | Load::Pressure(_)
         | Load::Line(_)
-        | Load::Distributed(_)
-        | Load::InitialStrain(_) => return,
+        | Load::Distributed(_) => return,
     };
     faults
-        .error(path.key(key), format!("the limit `local` has stresses of tractions alone: {why}"))
-        .hint("load the body by tractions, or leave `limit` out");
+        .error(
+            path.key(key),
+            format!("the limit `local` has stresses of tractions and of a uniform weight: {why}"),
+        )
+        .hint("load the body otherwise, or leave `limit` out");
+}
+
+/// Whether a force per volume varies.
+fn is_formula(load: &BodyForce) -> bool {
+    load.density.as_ref().is_some_and(|density| density.0.iter().any(|amount| amount.number().is_none()))
 }
 
 /// A fault of a traction that is not smooth along its border.

@@ -1,60 +1,179 @@
 //! Supports of bodies whose displacements are corrected.
 //!
-//! A body that points hold statically determinately has the stresses of its tractions alone: what it is corrected by moves it as
-//! a rigid body at most, and that is taken back. Other supports have forces of their own, infinite stresses at points.
+//! Along an edge that is held the displacement is known in place of the traction. Points hold what is left of the rigid motions and
+//! no more: at a point that is held besides the stress is infinite. What displacements are corrected by moves such a body as a
+//! rigid one, and that is taken back.
 
 use crate::diagnostic::{Faults, root};
 use crate::scene::body::hold::held_body::HeldBody;
-use crate::scene::body::hold::held_points::HeldPoints;
-use nalgebra::DMatrix;
-use peristat_assembly::bonds::Point;
+use crate::scene::body::site::boundary::is_left_out;
+use crate::scene::prescribed::Motion;
+use nalgebra::{DMatrix, DVector};
+use peristat_assembly::body::{BorderMember, Outline};
 
-/// Singular values of the work of supports on rigid motions that are smaller, relative to the largest, are zero.
+/// Singular values of what holds rigid motions that are smaller, relative to the largest, are zero.
 const NONE: f64 = 1e-9;
 
-/// Adds a fault for supports that hold more than rigid motions.
-pub(super) fn check(site: &HeldBody, faults: &mut Faults) {
-    let path = root("supports");
-    let conditions = site.conditions;
-    if !conditions.springs.is_empty() {
-        faults
-            .error(
-                path,
-                "the limit `local` knows no springs to the ground: their forces are not among its tractions",
-            )
-            .hint("hold the body at points, or leave `limit` out");
-        return;
-    }
-    if conditions.holds.iter().any(HeldPoints::is_on_border) {
-        faults
-            .error(path, "the limit `local` has bodies that points hold: along a held edge the tractions are not known")
-            .hint("hold two points, one of them in both directions, and load the edge by its tractions; or leave `limit` out");
-        return;
-    }
-    let rows = works(site);
-    let count = rows.nrows();
-    let singular = rows.svd(false, false).singular_values;
-    let least = NONE * singular.max();
-    let rank = singular.iter().filter(|value| **value > least).count();
-    if rank < count {
-        faults
-            .error(path, "the limit `local` needs supports that are statically determinate: at further points that are held stresses are infinite")
-            .hint("hold no more than the rigid motions: one point in both directions and another in one; symmetry holds some of them");
+/// Hold the body otherwise.
+const HOLD: &str = "hold an edge, or the rigid motions alone: one point in both directions and another in one; symmetry holds some of them";
+
+/// Rigid motions, each a translation along x and along y and a turn about an origin, over the size of the body.
+#[derive(Clone, Debug)]
+pub(crate) struct FreeMotions {
+    pub(crate) motions: Vec<[f64; 3]>,
+    /// Those of the holds of the conditions that are of points, not of a border.
+    pub(crate) holds: Vec<usize>,
+    origin: [f64; 2],
+    size: f64,
+}
+
+impl FreeMotions {
+    /// What a motion is at a position.
+    pub(crate) fn at(&self, [x, y, turn]: [f64; 3], at: [f64; 2]) -> [f64; 2] {
+        let [dx, dy] = [0, 1].map(|k| (at[k] - self.origin[k]) / self.size);
+        [x - turn * dy, y + turn * dx]
     }
 }
 
-/// What every held motion is of the rigid motions that lines of symmetry leave, lengths over the size of the body.
-fn works(site: &HeldBody) -> DMatrix<f64> {
-    let [low, high] = site.outline.map_or([[0.0; 2]; 2], peristat_assembly::body::Outline::bounds);
+/// What supports prescribe along members of the border, by axes; faults of those that hold two with one axis.
+pub(super) fn along_border(
+    site: &HeldBody,
+    outline: &Outline,
+    faults: &mut Faults,
+) -> Vec<(BorderMember, usize, Motion)> {
+    let mut held: Vec<(BorderMember, usize, Motion)> = Vec::new();
+    for (k, support) in site.ground.case.supports.iter().enumerate() {
+        let path = root("supports").index(k);
+        let names = support.at.region.iter().flat_map(|names| names.each());
+        let members = names.flat_map(|name| {
+            let members = outline.members(name).unwrap_or_default().into_iter();
+            members.filter(|member| !is_left_out(name, *member, site.ground, &site.inputs.symmetry))
+        });
+        let members: Vec<BorderMember> = members.collect();
+        let motions = site.held.iter().find(|held| held.path == path).map_or(&[][..], |held| &held.motions);
+        for (direction, motion, _) in motions.iter().filter(|_| !members.is_empty()) {
+            let Some(axis) = direction.iter().position(|share| share.abs() == 1.0) else {
+                faults
+                    .error(path.key("inclined"), "the limit `local` has edges that are held along x or y")
+                    .hint(HOLD);
+                continue;
+            };
+            if members.len() > 1 || held.iter().any(|(_, other, _)| *other == axis) {
+                faults
+                    .error(path.clone(), "the limit `local` knows the forces of one held edge along each axis: how several share them is a matter of the bonds")
+                    .hint("load one of them by its traction, or leave `limit` out");
+                continue;
+            }
+            if matches!(motion, Motion::BySteps(_)) {
+                faults
+                    .error(path.clone(), "the limit `local` has motions that grow with the load factor")
+                    .hint("solve one step at a time");
+            }
+            held.extend(members.iter().map(|member| (*member, axis, motion.clone())));
+        }
+    }
+    held
+}
+
+/// Numbers of the holds that are not of a border.
+fn of_points(site: &HeldBody, outline: &Outline) -> Vec<usize> {
+    let supports = site.ground.case.supports.iter().enumerate();
+    let of_border = supports.filter(|(_, support)| {
+        let mut names = support.at.region.iter().flat_map(|names| names.each());
+        names.any(|name| outline.members(name).is_some())
+    });
+    let paths: Vec<String> = of_border.map(|(k, _)| format!("{}.", root("supports").index(k))).collect();
+    let holds = site.conditions.holds.iter().enumerate();
+    holds
+        .filter(|(_, hold)| !paths.iter().any(|path| hold.origin.starts_with(path)))
+        .map(|(k, _)| k)
+        .collect()
+}
+
+/// The rigid motions that lines of symmetry and held edges leave; faults of points that hold more than these.
+pub(super) fn check(
+    site: &HeldBody,
+    held: &[(BorderMember, usize, Motion)],
+    outline: &Outline,
+    faults: &mut Faults,
+) -> FreeMotions {
+    let [low, high] = outline.bounds();
     let size = (high[0] - low[0]).hypot(high[1] - low[1]);
-    let mirrored = |axis: usize| site.inputs.symmetry.at[2 * axis..2 * axis + 2].iter().any(Option::is_some);
-    let free = [!mirrored(0), !mirrored(1), !mirrored(0) && !mirrored(1)];
-    let of = |direction: Point, point: u32| {
-        let [x, y] = site.model.place(point as usize);
-        let turn = direction[1] * (x - low[0]) - direction[0] * (y - low[1]);
-        [direction[0], direction[1], turn / size]
+    let mut free = FreeMotions {
+        motions: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        holds: of_points(site, outline),
+        origin: low,
+        size,
     };
-    let holds = site.conditions.holds.iter();
-    let rows: Vec<[f64; 3]> = holds.flat_map(|h| h.points.iter().map(|p| of(h.direction, *p))).collect();
-    DMatrix::from_fn(rows.len(), 3, |r, c| if free[c] { rows[r][c] } else { 0.0 })
+    free.motions = left(&free, site, held, outline);
+    if !site.conditions.springs.is_empty() {
+        faults
+            .error(
+                root("supports"),
+                "the limit `local` knows no springs to the ground: their forces are not among its tractions",
+            )
+            .hint(HOLD);
+    }
+    let works = works(site, &free);
+    let rank = works.clone().svd(false, false).singular_values.iter().filter(|value| **value > NONE).count();
+    let points: usize = free.holds.iter().map(|k| site.conditions.holds[*k].points.len()).sum();
+    if rank < points {
+        faults
+            .error(root("supports"), "the limit `local` needs points that hold rigid motions alone: where they hold more, stresses are infinite")
+            .hint(HOLD);
+    }
+    free
+}
+
+/// What is left of the rigid motions.
+fn left(
+    all: &FreeMotions,
+    site: &HeldBody,
+    held: &[(BorderMember, usize, Motion)],
+    outline: &Outline,
+) -> Vec<[f64; 3]> {
+    let mut rows = Vec::new();
+    let mut row = |at: [f64; 2], axis: usize| rows.push([0, 1, 2].map(|k| all.at(all.motions[k], at)[axis]));
+    for (side, at) in site.inputs.symmetry.at[..4].iter().enumerate() {
+        let axis = side / 2;
+        for along in at.iter().flat_map(|at| [0.0, all.size].map(|far| (*at, all.origin[1 - axis] + far))) {
+            row(if axis == 0 { [along.0, along.1] } else { [along.1, along.0] }, axis);
+        }
+    }
+    for (member, axis, _) in held {
+        let parts = match *member {
+            BorderMember::Edge(k) => outline.edge_parts(&outline.edges()[k]),
+            BorderMember::Hole(k) | BorderMember::HoleEdge { hole: k, .. } => outline.hole_parts(k),
+        };
+        for part in parts {
+            [0.0, 0.5, 1.0].iter().for_each(|share| row(part.at(*share), *axis));
+        }
+    }
+    let count = rows.len().max(3);
+    let matrix = DMatrix::from_fn(count, 3, |r, c| rows.get(r).map_or(0.0, |row: &[f64; 3]| row[c]));
+    let svd = matrix.svd(false, true);
+    let Some(vectors) = svd.v_t else { return Vec::new() };
+    let free = (0..3).filter(|k| svd.singular_values[*k] <= NONE);
+    free.map(|k| [vectors[(k, 0)], vectors[(k, 1)], vectors[(k, 2)]]).collect()
+}
+
+/// What points hold of the free motions, one row each.
+fn works(site: &HeldBody, free: &FreeMotions) -> DMatrix<f64> {
+    let holds = free.holds.iter().map(|k| &site.conditions.holds[*k]);
+    let rows = holds.flat_map(|hold| {
+        let of = |point: &u32| {
+            let at = site.model.place(*point as usize);
+            let row = free.motions.iter().map(|motion| {
+                let [x, y] = free.at(*motion, at);
+                hold.direction[0] * x + hold.direction[1] * y
+            });
+            DVector::from_iterator(free.motions.len(), row).transpose()
+        };
+        hold.points.iter().map(of).collect::<Vec<_>>()
+    });
+    let rows: Vec<_> = rows.collect();
+    match rows.is_empty() || free.motions.is_empty() {
+        true => DMatrix::zeros(1, 1),
+        false => DMatrix::from_rows(&rows),
+    }
 }

@@ -168,6 +168,7 @@ fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut Body
     let unit = whole(context);
     let density = if is_total { value.map(|f| f / unit) } else { value };
     let asked = asked::of_body(density, context);
+    (0..3).for_each(|k| to.weight[k] += density[k]);
     to.asked.add_multiple(1.0, &asked);
     let force = |p: u32| (p, density.map(|b| b * context.volume(p)));
     let mut forces: Forces = (0..body.points() as u32).map(force).collect();

@@ -28,6 +28,8 @@ pub struct BodyLoads {
     pub(crate) stresses: Vec<StressField>,
     /// Strains that need no stress, by numbers of the model from the start.
     pub(crate) eigenstrain: Option<Eigenstrain>,
+    /// The force per volume that was asked for on the whole body, however it acts.
+    pub(crate) weight: [f64; 3],
     /// Tractions as the case gives them, where their values on the border are asked for.
     pub(crate) on_border: Vec<OnBorder>,
     /// Whether formulas give forces on a border.
