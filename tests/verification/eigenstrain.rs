@@ -1,5 +1,6 @@
 //! Initial strains of bodies: none of their own stress where they are compatible, closed forms where they are not.
 
+use crate::support::notched_block::hold_freely;
 use peristat::Solved;
 use serde_json::{Value, json};
 
@@ -44,13 +45,7 @@ fn models() -> Vec<(Value, &'static [&'static str])> {
 fn free(model: &Value) -> Value {
     let mut case = json!({ "title": "free", "units": "mm-N-MPa", "model": model });
     if model.get("bond_solid").or(model.get("state_solid")).is_some() {
-        let cut = json!({ "block": { "name": "notch", "from": [3, 3, 2], "size": [2, 2, 2] } });
-        case["body"] = json!({ "block": { "size": [8, 5, 4], "spacing": 1, "cuts": [cut] } });
-        case["supports"] = json!([
-            { "at": { "x": 0.5, "y": 0.5, "z": 0.5 }, "ux": 0, "uy": 0, "uz": 0 },
-            { "at": { "x": 7.5, "y": 0.5, "z": 0.5 }, "uy": 0, "uz": 0 },
-            { "at": { "x": 0.5, "y": 4.5, "z": 0.5 }, "uz": 0 }
-        ]);
+        hold_freely(&mut case);
         return case;
     }
     let hole = json!({ "circle": { "name": "hole", "centre": [10, 5], "radius": 2.2 } });

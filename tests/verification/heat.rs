@@ -1,5 +1,6 @@
 //! Changes of temperature: strains without stress in free bodies, and stresses that closed forms know.
 
+use crate::support::notched_block::hold_freely;
 use peristat::Solved;
 use serde_json::{Value, json};
 
@@ -33,13 +34,7 @@ fn free(name: &str, model: &Value) -> Value {
         "loads": [ { "temperature": { "change": CHANGE } } ]
     });
     if name.contains("solid") {
-        let cut = json!({ "block": { "name": "notch", "from": [3, 3, 2], "size": [2, 2, 2] } });
-        case["body"] = json!({ "block": { "size": [8, 5, 4], "spacing": 1, "cuts": [cut] } });
-        case["supports"] = json!([
-            { "at": { "x": 0.5, "y": 0.5, "z": 0.5 }, "ux": 0, "uy": 0, "uz": 0 },
-            { "at": { "x": 7.5, "y": 0.5, "z": 0.5 }, "uy": 0, "uz": 0 },
-            { "at": { "x": 0.5, "y": 4.5, "z": 0.5 }, "uz": 0 }
-        ]);
+        hold_freely(&mut case);
         return case;
     }
     // A section begins off its axis.

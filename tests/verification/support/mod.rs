@@ -7,6 +7,7 @@ pub(crate) mod goodier;
 pub(crate) mod handbook;
 pub(crate) mod mixed;
 pub(crate) mod noise;
+pub(crate) mod notched_block;
 pub(crate) mod orthotropic;
 pub(crate) mod plane;
 pub(crate) mod plane_frame;
