@@ -67,7 +67,7 @@ impl Around {
         let rounded = |x: f64| (x / SAME).round() as i32;
         let mut key = Vec::with_capacity(2 * self.points.len() + 5 * self.marks.len());
         for (place, _) in &self.points {
-            key.extend([0, 1].map(|k| (2.0 * (f64::from(place[k]) - self.centre[k])).round() as i32));
+            key.extend([0, 1].map(|k| rounded(f64::from(place[k]) - self.centre[k])));
         }
         for mark in self.marks.iter().map(|mark| &border.marks[*mark as usize]) {
             key.extend([0, 1].map(|k| rounded(mark.at[k] - self.centre[k])));

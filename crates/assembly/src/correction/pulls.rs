@@ -24,6 +24,7 @@ pub(super) struct Pulls {
 }
 
 /// A place at which the stress of a square acts on points.
+#[derive(Clone)]
 pub(super) struct Pull {
     pub(super) at: [f64; 2],
     /// Normal times area, m².

@@ -13,6 +13,7 @@ use super::squares::{Squares, corners};
 use crate::body::Outline;
 use nalgebra::{DMatrix, Matrix3xX, RowDVector};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// A square whose stress acts on points.
@@ -59,41 +60,39 @@ impl Residual {
         let fitted = fits.add(&centres, grid, border)?;
         let unit = fits.basis.unit() / fits.radius(grid);
         let stress = |at: [f64; 2], centre: [f64; 2]| fits.basis.stresses(fits.relative(at, centre)) * unit;
-        let own = |(k, fitted): (u32, Fitted)| {
-            let square = squares.all[k as usize];
-            let plain = if is_plain(&k) { plain_pulls(square, grid, depth) } else { Vec::new() };
-            let all = plain.iter().chain(pulls.of_squares.get(&k).into_iter().flatten());
-            let centre = fitted.around.centre;
-            let (points, matrix) = summed(all, fits.basis.count(), &|at| stress(at, centre));
-            (fitted, points, matrix, is_plain(&k) && !pulls.of_squares.contains_key(&k))
+        let matrix_of = |pulls: &[Pull], centre| summed(pulls, fits.basis.count(), &|at| stress(at, centre));
+        let whole = |k: u32| {
+            let nodes = corners(grid, squares.all[k as usize]).filter(|_| squares.is_plain[k as usize])?;
+            nodes.iter().all(|node| node.is_real).then_some(nodes)
         };
-        let made: Vec<_> = used.into_par_iter().zip(fitted).map(own).collect();
-        Some(Self::of(made, loads, pulls.of_holes))
-    }
-
-    /// Plain squares share one matrix.
-    fn of(
-        made: Vec<(Fitted, Vec<u32>, DMatrix<f64>, bool)>,
-        loads: Vec<Load>,
-        of_holes: Vec<HolePull>,
-    ) -> Self {
-        let (mut matrices, mut plain): (Vec<DMatrix<f64>>, Option<u32>) = (Vec::new(), None);
-        let mut acting = Vec::with_capacity(made.len());
-        for (fitted, points, matrix, is_plain) in made {
-            let is_shared = is_plain && points.len() == 4;
-            let number = match plain.filter(|_| is_shared) {
-                Some(number) => number,
-                None => {
-                    matrices.push(matrix);
-                    matrices.len() as u32 - 1
-                }
-            };
-            if is_shared {
-                plain = Some(number);
+        // Plain squares of points of the body have one matrix, the first of all.
+        let mut matrices: Vec<DMatrix<f64>> = Vec::new();
+        if let Some(k) = used.iter().find(|k| whole(**k).is_some()) {
+            let pulls = plain_pulls(squares.all[*k as usize], grid, depth);
+            matrices.push(matrix_of(&pulls, centre(k)).1);
+        }
+        let own = |(k, fitted): (u32, Fitted)| {
+            if let Some(nodes) = whole(k) {
+                let mut points = nodes.map(|node| node.number).to_vec();
+                points.sort_unstable();
+                return (fitted, points, None);
             }
+            let plain = || plain_pulls(squares.all[k as usize], grid, depth);
+            let own =
+                pulls.of_squares.get(&k).map_or_else(|| Cow::Owned(plain()), |own| Cow::Borrowed(&own[..]));
+            let (points, matrix) = matrix_of(&own, centre(&k));
+            (fitted, points, Some(matrix))
+        };
+        let made: Vec<_> = used.par_iter().copied().zip(fitted).map(own).collect();
+        let mut acting = Vec::with_capacity(made.len());
+        for (fitted, points, matrix) in made {
+            let number = matrix.map_or(0, |matrix| {
+                matrices.push(matrix);
+                matrices.len() as u32 - 1
+            });
             acting.push(Acting { fitted, points, matrix: number });
         }
-        Self { acting, matrices, loads, of_holes }
+        Some(Self { acting, matrices, loads, of_holes: pulls.of_holes })
     }
 
     /// Forces of the known tractions on points, N, in two planes.
@@ -120,8 +119,8 @@ impl Residual {
 }
 
 /// Forces on points, two rows of each, by the coefficients of a fit.
-fn summed<'a>(
-    pulls: impl Iterator<Item = &'a Pull>,
+fn summed(
+    pulls: &[Pull],
     fields: usize,
     stress: &dyn Fn([f64; 2]) -> Matrix3xX<f64>,
 ) -> (Vec<u32>, DMatrix<f64>) {

@@ -65,15 +65,12 @@ impl LocalFit {
         Some(Self { solution })
     }
 
-    /// Coefficients of the fields, of what is known; missing numbers are zero.
+    /// Coefficients of the fields, of what is known.
+    ///
+    /// # Panics
+    /// These are not as many numbers as there are equations.
     pub fn coefficients(&self, known: &[f64]) -> DVector<f64> {
-        let columns = self.solution.columns(0, known.len());
-        columns * DVector::from_column_slice(known)
-    }
-
-    /// Coefficients by what is known, one row per field.
-    pub fn solution(&self) -> &DMatrix<f64> {
-        &self.solution
+        &self.solution * DVector::from_column_slice(known)
     }
 }
 

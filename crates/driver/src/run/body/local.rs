@@ -117,15 +117,17 @@ impl<'a> Local<'a> {
         let (scene, n) = (self.scene, self.scene.model.points());
         let Some(around) = self.around(&scene.states[result.record.index], &result.record.u) else { return };
         let now = around.state(&result.record.u, n);
-        let probed = scene.probes.iter().map(|probe| {
-            let [x, y, _] = probe.position?;
-            self.correction.at(&[[x, y]], now)?.pop()
-        });
-        result.probed = probed.collect();
+        let asked = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y]));
+        let asked: Vec<Option<[f64; 2]>> = asked.collect();
+        let points: Vec<usize> = match result.recovered {
+            Some(_) => scene.real_points().collect(),
+            None => Vec::new(),
+        };
+        let places = points.iter().map(|point| scene.model.place(*point));
+        let places: Vec<[f64; 2]> = asked.iter().flatten().copied().chain(places).collect();
+        let mut found = self.correction.at(&places, now).unwrap_or_default().into_iter();
+        result.probed = asked.iter().map(|at| at.and_then(|_| found.next())).collect();
         let Some(recovered) = &mut result.recovered else { return };
-        let points: Vec<usize> = scene.real_points().collect();
-        let places: Vec<[f64; 2]> = points.iter().map(|point| scene.model.place(*point)).collect();
-        let found = self.correction.at(&places, now).unwrap_or_default();
         for (point, Field { stress: [xx, yy, xy], .. }) in points.into_iter().zip(found) {
             (0..3).for_each(|k| recovered.stress[k][point] = [xx, yy, xy][k]);
             let stress = [xx, yy, xy, 0.0, 0.0, 0.0];

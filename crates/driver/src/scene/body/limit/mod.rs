@@ -10,9 +10,10 @@ use super::load::traction::on_border::OnBorder;
 use super::load::traction::profile::Profile;
 use super::scene::BodyState;
 use super::site::boundary::{self, Border};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, root};
+use crate::memory;
 use crate::scene::prescribed::Motion;
-use peristat_assembly::body::{BorderMember, Edge, Outline, in_space};
+use peristat_assembly::body::{BorderMember, BorderPart, Edge, Outline, in_space};
 use peristat_assembly::correction::{BorderPiece, Sample};
 pub(crate) use supports::FreeMotions;
 
@@ -46,7 +47,12 @@ struct Acting {
 impl LocalLimit {
     /// That of a case with the tractions of its load cases; none of one that asks for no limit. Adds a fault for everything that
     /// stands against it.
-    pub(super) fn resolve(site: &HeldBody, loads: &[BodyLoads], faults: &mut Faults) -> Option<Self> {
+    pub(super) fn resolve(
+        site: &HeldBody,
+        loads: &[BodyLoads],
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
         let case = site.ground.case;
         refuse::check_keys(case, faults);
         if !case.is_corrected() {
@@ -61,6 +67,9 @@ impl LocalLimit {
         let (members, pieces) = pieces(outline, site, &held);
         let free = supports::check(site, &held, outline, faults);
         corners::check(&pieces, site.ground.body.spacing(), faults);
+        if !fits(&pieces, site, max_memory, faults) {
+            return None;
+        }
         let mut acting =
             |on: &[OnBorder]| on.iter().filter_map(|on| Acting::new(on, outline, faults)).collect();
         let tractions = loads.iter().map(|loads| acting(&loads.on_border)).collect();
@@ -109,6 +118,28 @@ impl Acting {
         let [x, y, _] = self.profile.at(place, sample.at, sample.normal);
         [x, y]
     }
+}
+
+/// What a point and its square read, bytes.
+const PER_POINT: f64 = 1500.0;
+/// A place of the box around the body, bytes.
+const PER_PLACE: f64 = 100.0;
+/// Fits beside a border that runs across rows and columns, each of its own, bytes per spacing of it: one takes 14 kB.
+const PER_SPACING: f64 = 1e5;
+
+/// Whether what displacements are corrected by fits into memory.
+fn fits(pieces: &[BorderPiece], site: &HeldBody, max_memory: Option<u64>, faults: &mut Faults) -> bool {
+    let spacing = site.ground.body.spacing();
+    let is_along =
+        |part: &BorderPart| matches!(part, BorderPart::Straight { normal, .. } if normal.contains(&0.0));
+    let across: f64 =
+        pieces.iter().map(|piece| piece.part).filter(|part| !is_along(part)).map(|part| part.length()).sum();
+    let box_around = site.outline.map_or([[0.0; 2]; 2], Outline::bounds);
+    let places = [0, 1].map(|k| (box_around[1][k] - box_around[0][k]) / spacing).iter().product::<f64>();
+    let points = site.ground.body.points() as f64;
+    let bytes = PER_POINT * points + PER_PLACE * places + PER_SPACING * across / spacing;
+    let what = ("fits of the limit `local`", "use a larger spacing, or leave `limit` out");
+    memory::fits(bytes, what, max_memory, root("limit"), faults)
 }
 
 /// The border of a body by its members, lines of symmetry left out.

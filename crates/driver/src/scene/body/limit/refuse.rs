@@ -2,7 +2,7 @@
 
 use crate::case::{BodyForce, Case, Load};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
-use crate::model::Surface;
+use crate::model::{Surface, hints};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::load::traction::on_border::OnBorder;
 use crate::scene::body::load::traction::profile::Profile;
@@ -46,6 +46,12 @@ pub(super) fn body<'a>(site: &HeldBody<'a>, faults: &mut Faults) -> Option<&'a O
     let moves_in_plane = about.components == ["ux", "uy"] && about.surface == Surface::Flat;
     if !moves_in_plane {
         tell("its points do more than move in their plane", LEAVE);
+    }
+    if about.has_families {
+        tell(
+            "beside a border families answer a load by another displacement than local elasticity does, and corrections do not converge",
+            &format!("take the model `{}`, or leave `limit` out", hints::PLANE),
+        );
     }
     if about.calibration != Calibration::Matched {
         tell(
