@@ -152,15 +152,15 @@ fn what_fits_nearly_reproduce_leaves_little() {
 fn residuals_have_the_force_and_the_moment_of_the_tractions() {
     for outline in [rectangle(), with_holes()] {
         let round = Ellipse { centre: [12.3, 12.1], half_axes: [5.2; 2] };
-        let zones: &[HoleZone] =
-            if outline.holes().is_empty() { &[] } else { &[HoleZone { ellipse: round, level: 1.3 }] };
-        let plate = Plate::new(&outline, Mirrors::NONE, zones);
+        let has_zone = !outline.holes().is_empty();
+        let zones = Vec::from_iter(has_zone.then_some(HoleZone { ellipse: round, level: 1.3 }));
+        let plate = Plate::new(&outline, Mirrors::NONE, &zones);
         let n = plate.points();
         let u: Vec<f64> = (0..2 * n).map(|k| ((k * k) as f64 * 0.37).sin()).collect();
         let fields = HoleFields::new(&plate.model.stiffness(), round, 4).unwrap();
         let near = (0..n).map(|p| (crate::model::BodyModel::place(&plate.model, p), [u[p], u[n + p]]));
         let fit = HoleFit::new(fields, 0.0, near.filter(|(at, _)| (1.0..1.3).contains(&round.level(*at))));
-        let tractions = |at: [f64; 2]| match !zones.is_empty() && round.level(at) < 1.01 {
+        let tractions = move |at: [f64; 2]| match has_zone && round.level(at) < 1.01 {
             true => ([0.0; 2], [0.0; 3]),
             false => cubic(at),
         };

@@ -109,7 +109,7 @@ impl HoleRing {
         let images = self.mirrors.iter().map(|mirrored| if *mirrored { 2 } else { 1 }).product::<usize>();
         let fields = 4 * ORDERS[ORDERS.len() - 1] + 2;
         let is_told = 2 * images * self.points.len() >= 3 * fields;
-        is_told.then(|| HoleZone { ellipse: self.ellipse, level: 1.0 + INNER * (self.reach - 1.0) })
+        is_told.then_some(HoleZone { ellipse: self.ellipse, level: 1.0 + INNER * (self.reach - 1.0) })
     }
 
     /// Whether a place is on its hole.
