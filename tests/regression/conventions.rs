@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// Modules of `peristat-assembly`: each uses only what stands before it.
-const LAYERS: [&str; 12] = [
+const LAYERS: [&str; 13] = [
     "sum",
     "quadrature",
     "recovery",
@@ -16,6 +16,7 @@ const LAYERS: [&str; 12] = [
     "condition",
     "stiffness",
     "model",
+    "correction",
     "system",
     "cubic",
 ];
