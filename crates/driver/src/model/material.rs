@@ -183,6 +183,11 @@ pub trait Material: Debug + Send + Sync {
         None
     }
 
+    /// Whether points share the changes of volume of blocks: where strains vary, stresses alternate from point to point.
+    fn shares_dilatations(&self) -> bool {
+        false
+    }
+
     /// Directions of the material, where they are not alike.
     fn fibres(&self) -> Option<Fibres> {
         None

@@ -12,7 +12,7 @@ use peristat_assembly::body::{Cell, Outline, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::model::state_based::{
-    BorderedState, Geometry, StateBased, StateEdges, StateMaterials, StateParameters,
+    BorderedState, Dilatation, Geometry, StateBased, StateEdges, StateMaterials, StateParameters,
 };
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -124,6 +124,10 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         let is_complete = calibration(self.parameters.edges) == Calibration::Matched;
         (!is_complete)
             .then_some("families that edges leave incomplete would resist a strain that needs no stress")
+    }
+
+    fn shares_dilatations(&self) -> bool {
+        self.parameters.dilatation == Dilatation::Blocks
     }
 
     fn strain_row(&self, axis: usize) -> [f64; 3] {

@@ -11,6 +11,9 @@ use crate::model::Material;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 
+/// What differs less, over the largest, is the same but for rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Strains that need no stress, a sum of parts.
 #[derive(Clone, Debug)]
 pub struct Eigenstrain {
@@ -177,6 +180,36 @@ pub(super) fn is_borne(name: &str, context: &LoadContext, path: &JsonPath, fault
     };
     faults.error(path.clone(), message).hint(hint);
     false
+}
+
+/// Adds doubts about the strains of the load `name` at some points of the body, and a fault where these vary in a material whose points
+/// share dilatations.
+pub(super) fn check(
+    name: &str,
+    own: &Eigenstrain,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
+    let (case, material) = (context.ground.case, context.material);
+    if material.about().has_families && !case.cracks.is_empty() {
+        faults
+            .warning(path.clone(), format!("families beside cracks are not complete: there stresses of `{name}` are off by E times the free strain and more"))
+            .hint("models of bonds are exact beside cracks");
+    }
+    let Some(model) = context.model.filter(|_| material.shares_dilatations()) else { return };
+    let varies = |part: &EigenstrainPart| {
+        let of = |p: usize| part.free[context.inputs.number(model, p as u32) as usize];
+        let values = || (0..context.ground.body.points()).map(of);
+        let [least, most] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|best| values().reduce(best));
+        let largest = values().fold(0.0, |most: f64, value| most.max(value.abs()));
+        least.zip(most).is_some_and(|(least, most)| most - least > ROUNDING * largest)
+    };
+    if own.parts.iter().any(varies) {
+        faults
+            .error(path.clone(), format!("`{name}` that varies makes stresses that alternate from point to point, with the dilatation `blocks`"))
+            .hint("make it the same everywhere, or take a Poisson's ratio up to 0.45, which has the dilatation `points`");
+    }
 }
 
 /// Whether materials are other than the base one not by a factor alone.

@@ -61,6 +61,7 @@ pub(super) fn resolve(
             }
         }
     }
+    eigenstrain::check("initial_strain", &own, context, path, faults);
     to.stretch(own);
 }
 

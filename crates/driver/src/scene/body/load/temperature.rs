@@ -88,13 +88,10 @@ pub(crate) fn resolve(
     if context.factor.is_none() && change_of.iter().all(|change| *change == 0.0) {
         faults.error(path.clone(), "this load is zero");
     }
-    if context.material.about().has_families && !ground.case.cracks.is_empty() {
-        faults
-            .warning(path.clone(), "families beside cracks are not complete: there stresses are off by some tenths of E times the free strain")
-            .hint("models of bonds are exact beside cracks");
-    }
     // Shears of fibres are alike on both sides of a mirror only where these lie along it, and then they are none.
     eigenstrain::give_images(&mut change_of, "", model);
     eigenstrain::give_images(&mut free, "", model);
-    to.stretch(Eigenstrain { change: change_of, parts: vec![EigenstrainPart { free, unit }] });
+    let own = Eigenstrain { change: change_of, parts: vec![EigenstrainPart { free, unit }] };
+    eigenstrain::check("temperature", &own, context, path, faults);
+    to.stretch(own);
 }
