@@ -69,7 +69,7 @@ fn what_is_strained_alike_everywhere_has_no_stress() {
         let solved = solve(&case);
         let stresses: Vec<String> = components.iter().map(|name| format!("stress_{name}")).collect();
         let names: Vec<&str> = stresses.iter().map(String::as_str).collect();
-        // Across plane strain there is the stress of what is held.
+        // Across plane strain there is the stress of what is held; 6e-15 is found in the others.
         let stress = largest(&solved, &names) / (E * 1e-3);
         assert!(stress < 5e-14, "{model}: {stress:e}");
         for (name, value) in components.iter().zip(values) {

@@ -1,6 +1,6 @@
 //! Corners at which stresses are infinite: those that turn into a body, and the ends of clamped edges.
 
-use crate::diagnostic::{Faults, root};
+use crate::diagnostic::{Faults, root, tidy};
 use peristat_assembly::correction::BorderPiece;
 
 /// Ends of pieces are one up to this part of a spacing.
@@ -18,6 +18,7 @@ pub(super) fn check(pieces: &[BorderPiece], spacing: f64, faults: &mut Faults) {
     let enters =
         |end: &&End| ends.iter().any(|other| other.is_here(end, tolerance) && other.is_entered_by(end));
     if let Some(End { at: [x, y], .. }) = ends.iter().find(enters) {
+        let [x, y] = [x, y].map(|x| tidy(*x));
         faults
             .error(root("limit"), format!("`local` is no limit of this body: stresses are infinite in the corner at ({x}, {y}), which turns into it"))
             .hint("round the corner by an arc of several spacings, or leave `limit` out");
@@ -27,6 +28,7 @@ pub(super) fn check(pieces: &[BorderPiece], spacing: f64, faults: &mut Faults) {
         is_clamped(end) && ends.iter().any(|other| other.is_here(end, tolerance) && !is_clamped(other))
     };
     if let Some(End { at: [x, y], .. }) = ends.iter().find(ends_free) {
+        let [x, y] = [x, y].map(|x| tidy(*x));
         faults
             .error(root("limit"), format!("`local` is no limit of this body: stresses are infinite at ({x}, {y}), where a clamped edge meets another one"))
             .hint("hold the edge across its line alone, with one point held along it, or leave `limit` out");
