@@ -104,6 +104,9 @@ pub enum RegionError {
         /// Which position.
         what: &'static str,
     },
+    /// The ends of a cylinder are at one position.
+    #[error("a cylinder has a length: `from` and `to` must differ")]
+    NoLength,
 }
 
 fn known_text(known: &[String]) -> String {

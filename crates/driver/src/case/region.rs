@@ -20,6 +20,8 @@ pub enum Region {
     Disc(DiscRegion),
     /// Points in a ball, of a solid.
     Ball(BallRegion),
+    /// Points in a cylinder, of a solid.
+    Cylinder(CylinderRegion),
     /// Points on one side of a line.
     HalfPlane(HalfPlaneRegion),
     /// Points of a solid on one side of a plane.
@@ -60,6 +62,18 @@ pub struct FaceRegion {
 pub struct BallRegion {
     /// Its middle.
     pub centre: [f64; 3],
+    /// Its radius, > 0.
+    pub radius: f64,
+}
+
+/// Points in a cylinder with flat ends.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylinderRegion {
+    /// Middle of one end.
+    pub from: [f64; 3],
+    /// Middle of the other.
+    pub to: [f64; 3],
     /// Its radius, > 0.
     pub radius: f64,
 }

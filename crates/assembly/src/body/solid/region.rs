@@ -39,6 +39,15 @@ pub enum SolidRegion {
         /// Its radius.
         radius: f64,
     },
+    /// Points in a cylinder with flat ends.
+    Cylinder {
+        /// Middle of one end.
+        from: [f64; 3],
+        /// Middle of the other.
+        to: [f64; 3],
+        /// Its radius.
+        radius: f64,
+    },
     /// Points where `(x − point)·normal ≥ 0`.
     HalfSpace {
         /// A position on the border.
@@ -98,14 +107,22 @@ pub(in super::super) fn select(
             let (centre, radius) = (finite("centre", *centre)?, positive("radius", *radius)?);
             Ok(inside(lattice, |at| distance(at, centre) <= radius + slack))
         }
+        SolidRegion::Cylinder { from, to, radius } => {
+            let (from, to, radius) =
+                (finite("from", *from)?, finite("to", *to)?, positive("radius", *radius)?);
+            let (axis, length) =
+                direction([0, 1, 2].map(|k| to[k] - from[k])).ok_or(RegionError::NoLength)?;
+            Ok(inside(lattice, |at| {
+                let along = above(at, from, axis);
+                let foot = [0, 1, 2].map(|k| from[k] + along * axis[k]);
+                (-slack..=length + slack).contains(&along) && distance(at, foot) <= radius + slack
+            }))
+        }
         SolidRegion::HalfSpace { point, normal } => {
             let (point, normal) = (finite("point", *point)?, finite("normal", *normal)?);
-            let length = distance(normal, [0.0; 3]);
-            if !(length > 0.0 && length.is_finite()) {
-                return Err(RegionError::Position { what: "normal" });
-            }
-            let depth = |at: [f64; 3]| (0..3).map(|k| (at[k] - point[k]) * normal[k] / length).sum::<f64>();
-            Ok(inside(lattice, |at| depth(at) >= -slack))
+            let none = RegionError::Position { what: "normal" };
+            let (normal, _) = direction(normal).ok_or(none)?;
+            Ok(inside(lattice, |at| above(at, point, normal) >= -slack))
         }
     }
 }
@@ -139,6 +156,17 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
+/// How far a position is beyond another one in a direction of length one.
+fn above(at: [f64; 3], from: [f64; 3], direction: [f64; 3]) -> f64 {
+    (0..3).map(|k| (at[k] - from[k]) * direction[k]).sum()
+}
+
+/// A vector as a direction of length one, and its length; none without a length.
+fn direction(vector: [f64; 3]) -> Option<([f64; 3], f64)> {
+    let length = distance(vector, [0.0; 3]);
+    (length > 0.0 && length.is_finite()).then(|| (vector.map(|x| x / length), length))
+}
+
 fn finite(what: &'static str, position: [f64; 3]) -> Result<[f64; 3], RegionError> {
     if position.iter().all(|x| x.is_finite()) { Ok(position) } else { Err(RegionError::Position { what }) }
 }
@@ -167,6 +195,14 @@ mod tests {
         assert_eq!(count(SolidRegion::Corner { at: [1.0, 1.0, 1.0] }), Ok(8));
         assert_eq!(count(SolidRegion::Box { from: [2.0, 3.0, 0.0], to: [0.0, 0.0, 1.0] }), Ok(6));
         assert_eq!(count(SolidRegion::Ball { centre: [0.5; 3], radius: 1.0 }), Ok(4));
+        let cylinder = |from, to, radius| {
+            count(SolidRegion::Cylinder { from: [from, 0.5, 0.5], to: [to, 0.5, 0.5], radius })
+        };
+        // One row; with neighbours beside it; ends are flat and may be given in any order.
+        assert_eq!(cylinder(0.0, 4.0, 0.5), Ok(4));
+        assert_eq!(cylinder(3.0, 1.0, 1.0), Ok(2 * 3));
+        assert_eq!(cylinder(1.0, 1.0, 1.0), Err(RegionError::NoLength));
+        assert!(cylinder(0.0, 1.0, 0.0).is_err());
         let half = SolidRegion::HalfSpace { point: [2.0, 0.0, 0.0], normal: [-3.0, 0.0, 0.0] };
         assert_eq!(count(half), Ok(12));
         let none = SolidRegion::HalfSpace { point: [0.0; 3], normal: [0.0; 3] };

@@ -188,7 +188,7 @@ impl<'a> Ground<'a> {
             Region::Box { from, to } => (in_space([0, 1].map(|k| 0.5 * (from[k] + to[k]))), "its middle"),
             Region::Disc { centre, .. } => (in_space(*centre), "its middle"),
             Region::HalfPlane { point, .. } => (in_space(*point), "its `point`"),
-            Region::Solid(SolidRegion::Box { from, to }) => {
+            Region::Solid(SolidRegion::Box { from, to } | SolidRegion::Cylinder { from, to, .. }) => {
                 ([0, 1, 2].map(|k| 0.5 * (from[k] + to[k])), "its middle")
             }
             Region::Solid(SolidRegion::Ball { centre, .. }) => (*centre, "its middle"),

@@ -13,6 +13,11 @@ impl Ground<'_> {
             (case::Region::Face(_), RegionError::Unknown { .. }) => path.key("face").key("name"),
             (case::Region::Face(_), _) => path.key("face").key("depth"),
             (case::Region::Ball(_), RegionError::NotPositive { .. }) => path.key("ball").key("radius"),
+            (case::Region::Cylinder(_), RegionError::NotPositive { .. }) => {
+                path.key("cylinder").key("radius")
+            }
+            (case::Region::Cylinder(_), RegionError::Position { what }) => path.key("cylinder").key(*what),
+            (case::Region::Cylinder(_), RegionError::NoLength) => path.key("cylinder").key("to"),
             (case::Region::HalfSpace(_), RegionError::Position { what }) => path.key("half_space").key(*what),
             (case::Region::Hole(_), RegionError::Unknown { .. }) => path.key("hole").key("name"),
             (case::Region::Group(_), _) => path.key("group"),

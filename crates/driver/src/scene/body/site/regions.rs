@@ -14,11 +14,12 @@ pub(crate) fn converted(
     let is_solid = body.axes() > 2;
     let (key, of_solid, instead) = match region {
         case::Region::Edge(_) => ("edge", Some(false), "faces of a solid are regions with a `face`"),
-        case::Region::Disc(_) => ("disc", Some(false), "use a `ball` or a `box`"),
+        case::Region::Disc(_) => ("disc", Some(false), "use a `cylinder` or a `ball`"),
         case::Region::HalfPlane(_) => ("half_plane", Some(false), "use a `half_space`"),
-        case::Region::Hole(_) => ("hole", Some(false), "use a `ball` or a `box`"),
+        case::Region::Hole(_) => ("hole", Some(false), "use a `cylinder` or a `ball`"),
         case::Region::Face(_) => ("face", Some(true), "use an `edge`"),
         case::Region::Ball(_) => ("ball", Some(true), "use a `disc`"),
+        case::Region::Cylinder(_) => ("cylinder", Some(true), "use a `disc` or a `box`"),
         case::Region::HalfSpace(_) => ("half_space", Some(true), "use a `half_plane`"),
         case::Region::Corner(_) | case::Region::Box(_) | case::Region::Group(_) | case::Region::Union(_) => {
             ("", None, "")
@@ -48,6 +49,9 @@ pub(crate) fn converted(
         }
         case::Region::Disc(r) => Region::Disc { centre: r.centre, radius: r.radius },
         case::Region::Ball(r) => Region::Solid(SolidRegion::Ball { centre: r.centre, radius: r.radius }),
+        case::Region::Cylinder(r) => {
+            Region::Solid(SolidRegion::Cylinder { from: r.from, to: r.to, radius: r.radius })
+        }
         case::Region::HalfPlane(r) => Region::HalfPlane { point: r.point, normal: r.normal },
         case::Region::HalfSpace(r) => {
             Region::Solid(SolidRegion::HalfSpace { point: r.point, normal: r.normal })
