@@ -22,6 +22,7 @@ mod messages;
 mod model_tables;
 mod numbers;
 mod outside;
+mod pictures;
 mod plane_folder;
 mod readme;
 mod report;

@@ -38,7 +38,8 @@ fn finished(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
 #[test]
 fn a_study_leaves_tables_diagrams_and_orders() {
     let folder = tempfile::tempdir().unwrap();
-    let file = study(folder.path(), &json!({}));
+    let set = json!({ "body.line.cells": 24, "checks": [], "drawing": { "formats": ["png"] } });
+    let file = study(folder.path(), &json!({ "set": set }));
     let outcome = run(folder.path(), &["study", &file]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     assert!(
@@ -60,10 +61,16 @@ fn a_study_leaves_tables_diagrams_and_orders() {
     assert!((orders[0] - 2.32).abs() < 0.01 && (orders[1] - 2.09).abs() < 0.01, "{orders:?}");
     assert!(found["series"][1]["quantities"][0]["limit"]["exact"]["value"].is_number(), "{found:#}");
     let table = fs::read_to_string(out.join("study.csv")).unwrap();
-    assert!(table.starts_with("task,model.timoshenko_beam.bond_law,horizon,spacing,"), "{table}");
+    assert!(table.starts_with("task,model.timoshenko_beam.bond_law,horizon [m],spacing [m],"), "{table}");
+    assert!(table.contains(",quantity,unit,value,error,order\n") && table.contains(",tip,m,"), "{table}");
+    assert_eq!(tip["unit"], "m");
     // Two quantities, the tip and the energy, of six tasks.
     assert_eq!(table.lines().count(), 13);
-    assert!(names(&out.join("plots")).contains(&"01_tip.svg".to_string()));
+    let plots = names(&out.join("plots"));
+    assert!(
+        ["01_tip.svg", "01_tip.png"].iter().all(|name| plots.contains(&(*name).to_string())),
+        "{plots:?}"
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How diagrams and maps of a run are drawn. Numbers in tables, probes and checks are as ever.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Drawing {
     /// Signs of M and V in the diagrams of beams and frames; default: `fields`.
@@ -16,6 +16,39 @@ pub struct Drawing {
     /// What arrows show on the maps of bodies in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arrows: Option<Arrows>,
+    /// Formats in which every picture of `plots` is written beside its SVG.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub formats: Vec<PictureFormat>,
+}
+
+impl Drawing {
+    /// Whether it asks for nothing.
+    pub(super) fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// A format of pictures beside SVG.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PictureFormat {
+    /// Pixels, two for each of the SVG's in both directions.
+    Png,
+    /// Lines, areas and text, sharp at every size.
+    Pdf,
+}
+
+impl PictureFormat {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Png, Self::Pdf];
+
+    /// How the names of its files end.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Pdf => "pdf",
+        }
+    }
 }
 
 /// Signs of section forces in diagrams.

@@ -50,7 +50,7 @@ pub use condition::{
 };
 pub use continuum::Continuum;
 pub use crack::{CrackDisc, GivenCrack};
-pub use drawing::{Arrows, Drawing, Signs};
+pub use drawing::{Arrows, Drawing, PictureFormat, Signs};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
 pub use facts::{FRACTURE_FACTS, PATH_FACTS};
 pub use field::FieldName;
@@ -76,8 +76,8 @@ pub use plane_output::{LineOutput, StressIntensity, TipQuantity, Tips};
 pub use read::{Source, from_text, read, read_text};
 pub use refine::Overrides;
 pub use region::{
-    BallRegion, Bearing, BoxRegion, DiscRegion, EdgeRegion, FaceRegion, HalfPlaneRegion, HalfSpaceRegion,
-    HoleRegion, Region, Rigid,
+    BallRegion, Bearing, BoxRegion, CylinderRegion, DiscRegion, EdgeRegion, FaceRegion, HalfPlaneRegion,
+    HalfSpaceRegion, HoleRegion, Region, Rigid,
 };
 pub use region_material::RegionMaterial;
 pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidBody, SolidCut, SpaceAxis};
@@ -199,8 +199,8 @@ pub struct Case {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stress_intensity: Vec<StressIntensity>,
     /// How diagrams and maps are drawn.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub drawing: Option<Drawing>,
+    #[serde(default, skip_serializing_if = "Drawing::is_usual")]
+    pub drawing: Drawing,
     /// What the results must be.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,

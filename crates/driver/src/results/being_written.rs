@@ -6,6 +6,7 @@ use super::digest::Digest;
 use super::envelope::Envelope;
 use super::files::{clear, fields, lost, step, step_name, write_case};
 use super::kept::{FieldFiles, FieldStates};
+use super::pictures::write_formats;
 use super::report::Report;
 use super::restart::Kept;
 use super::{beam, body, curve, plate, report, restart};
@@ -182,6 +183,7 @@ impl Results {
             let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         }
+        write_formats(&self.folder.join("plots"), &case.drawing.formats)?;
         let page = self.report.page(summary, case, (self.curve.as_ref(), &self.history));
         crate::output::report::write(&self.folder.join(report::FILE), &page)?;
         let text = serde_json::to_string_pretty(summary)?;

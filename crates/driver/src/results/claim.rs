@@ -1,6 +1,7 @@
 //! Which folders a run may write into, and that no two write into one at once.
 
 use super::files::{OWN, is_finished, is_leftover, names_in};
+use super::pictures::is_picture;
 use super::{inputs, restart};
 use crate::input::file;
 use crate::output::lock::{Hold, Lock};
@@ -181,7 +182,7 @@ pub(super) fn is_of_part(folder: &Path, part: &str, name: &str) -> bool {
         || match part {
             "fields" => name.starts_with("step_"),
             INPUTS => inputs::wrote(folder, name),
-            _ => name.ends_with(".svg"),
+            _ => is_picture(name),
         }
 }
 

@@ -10,8 +10,7 @@ const MOST_ISOLINES: usize = 50;
 
 /// Adds faults of a drawing that no result of the case has.
 pub(super) fn check(case: &Case, faults: &mut Faults) {
-    let Some(drawing) = case.drawing else { return };
-    let path = root("drawing");
+    let (drawing, path) = (&case.drawing, root("drawing"));
     if drawing.signs != Signs::Fields && !matches!(case.body, Body::Line(_) | Body::Lines(_) | Body::Frame(_))
     {
         faults
@@ -27,8 +26,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
 /// The faults of what is to be drawn on maps of a scene that has no such maps or fields.
 pub(super) fn check_maps(scene: &Scene) -> Faults {
     let mut faults = Faults::default();
-    let Some(drawing) = scene.case().drawing else { return faults };
-    let path = root("drawing");
+    let (drawing, path) = (&scene.case().drawing, root("drawing"));
     let is_plane = matches!(scene, Scene::Body(body) if !matches!(body.body(), PointBody::Solid(_)));
     let asked = [("isolines", drawing.isolines.is_some()), ("arrows", drawing.arrows.is_some())];
     for (key, _) in asked.iter().filter(|(_, asked)| *asked && !is_plane) {

@@ -26,6 +26,9 @@ pub struct Level {
 pub struct Quantity {
     /// Name.
     pub name: String,
+    /// Unit of its values; empty if it has none.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub unit: String,
     /// Values, of probes and energies.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub values: Vec<f64>,
@@ -101,21 +104,22 @@ fn quantities(study: &Study, settings: &Map<String, Value>, levels: &[Level]) ->
     };
     let errors = first.record.errors.iter().filter_map(|m| {
         let errors = column(&m.name, |record| &record.errors)?;
-        Some(Quantity::new(&m.name, &sizes, Vec::new(), None, errors))
+        Some(Quantity::new(m, &sizes, Vec::new(), None, errors))
     });
     let values = first.record.values.iter().filter_map(|m| {
         let values = column(&m.name, |record| &record.values)?;
         let exact = study.exact.iter().find(|e| e.quantity == m.name && includes(settings, &e.r#where));
-        Some(Quantity::of_values(&m.name, &sizes, values, exact.map(|e| e.value)))
+        Some(Quantity::of_values(m, &sizes, values, exact.map(|e| e.value)))
     });
     errors.chain(values).collect()
 }
 
 impl Quantity {
-    fn new(name: &str, sizes: &[f64], values: Vec<f64>, exact: Option<f64>, errors: Vec<f64>) -> Self {
+    fn new(of: &Measured, sizes: &[f64], values: Vec<f64>, exact: Option<f64>, errors: Vec<f64>) -> Self {
         let refined = sizes.len() == errors.len();
         Self {
-            name: name.into(),
+            name: of.name.clone(),
+            unit: of.unit.clone(),
             values,
             exact,
             orders: if refined { order::between(sizes, &errors) } else { Vec::new() },
@@ -126,7 +130,7 @@ impl Quantity {
         }
     }
 
-    fn of_values(name: &str, sizes: &[f64], values: Vec<f64>, exact: Option<f64>) -> Self {
+    fn of_values(of: &Measured, sizes: &[f64], values: Vec<f64>, exact: Option<f64>) -> Self {
         let limit = (sizes.len() == values.len()).then(|| order::limit(sizes, &values));
         let reference = exact.or(limit.as_ref().and_then(Limit::value));
         let largest = values.iter().fold(0.0, |a: f64, v| a.max(v.abs()));
@@ -135,7 +139,7 @@ impl Quantity {
             if value == reference { 0.0 } else { (value - reference).abs() / scale }
         };
         let errors = reference.map_or(Vec::new(), |r| values.iter().map(|v| error(*v, r)).collect());
-        let mut quantity = Self::new(name, sizes, values, exact, errors);
+        let mut quantity = Self::new(of, sizes, values, exact, errors);
         if exact.is_none() {
             // Differences from a value that was extrapolated from them tell nothing about the last of them.
             quantity.fit = None;

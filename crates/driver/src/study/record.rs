@@ -23,6 +23,9 @@ const DISPLACEMENTS: [&str; 4] = ["w", "u", "ux", "uy"];
 pub struct Measured {
     /// Name.
     pub name: String,
+    /// Unit; empty if it has none, as relative errors.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub unit: String,
     /// Value.
     pub value: f64,
 }
@@ -93,6 +96,8 @@ pub(super) struct Quantity {
     pub(super) name: String,
     /// Field, or what it is else.
     pub(super) field: String,
+    /// Unit; empty if it has none.
+    pub(super) unit: String,
     /// Number of its state.
     pub(super) state: usize,
     /// Value.
@@ -124,8 +129,9 @@ fn weight(probe: &ProbeResult) -> f64 {
 
 /// Probes, or of beams without any the largest displacements, and stored energies of all states.
 pub(super) fn quantities(summary: &Summary) -> Vec<Quantity> {
-    let new = |name: &str, state: usize, field: &str, value: f64, scale: f64| Quantity {
+    let new = |(name, unit): (&str, &str), state: usize, field: &str, value: f64, scale: f64| Quantity {
         name: named(name, &summary.states[state], summary),
+        unit: unit.into(),
         field: field.into(),
         state,
         value,
@@ -149,16 +155,16 @@ pub(super) fn quantities(summary: &Summary) -> Vec<Quantity> {
         }
         for probe in own {
             let scale = scales[&*probe.field] * weight(probe);
-            probes.push(new(&probe.name, k, &probe.field, probe.value, scale));
+            probes.push(new((&probe.name, &probe.unit), k, &probe.field, probe.value, scale));
         }
         for (field, extremes) in &state.extremes {
             if has_largest && DISPLACEMENTS.contains(&field.as_ref()) {
                 let value = largest(extremes);
-                others.push(new(&format!("largest {field}"), k, field, value, value));
+                others.push(new((&format!("largest {field}"), &extremes.unit), k, field, value, value));
             }
         }
         let energy = state.certificate.energy;
-        energies.push(new("energy", k, "energy", energy, energy.abs()));
+        energies.push(new(("energy", summary.units.moment()), k, "energy", energy, energy.abs()));
     }
     let all = probes.into_iter().chain(others).chain(energies);
     all.filter(|q| q.value.is_finite()).collect()
@@ -180,7 +186,7 @@ pub(super) fn of_exact(summary: &Summary) -> Option<HashMap<String, f64>> {
 
 /// The same as names and values.
 fn values(summary: &Summary) -> Vec<Measured> {
-    quantities(summary).into_iter().map(|q| Measured { name: q.name, value: q.value }).collect()
+    quantities(summary).into_iter().map(|q| Measured { name: q.name, unit: q.unit, value: q.value }).collect()
 }
 
 /// The same with a number behind names that others have, too.
@@ -200,7 +206,8 @@ fn distinct(mut all: Vec<Measured>) -> Vec<Measured> {
 fn errors(summary: &Summary) -> Vec<Measured> {
     let exact = summary.checks.iter().filter(|c| matches!(c.kind, "closed_form" | "formula"));
     let both = exact.flat_map(|check| {
-        let of = |norm: &str, value: f64| Measured { name: format!("{} {norm}", check.name), value };
+        let name = |norm: &str| format!("{} {norm}", check.name);
+        let of = |norm: &str, value: f64| Measured { name: name(norm), unit: String::new(), value };
         let max = of(if check.l2_error.is_some() { "max" } else { "error" }, check.error);
         [Some(max), check.l2_error.map(|l2| of("l2", l2))]
     });
@@ -214,7 +221,7 @@ mod tests {
     #[test]
     fn equal_names_are_numbered() {
         let all = ["ux formula max", "energy", "ux formula max", "ux formula max"];
-        let all = all.map(|name| Measured { name: name.into(), value: 0.0 });
+        let all = all.map(|name| Measured { name: name.into(), unit: String::new(), value: 0.0 });
         let names: Vec<String> = distinct(all.into()).into_iter().map(|m| m.name).collect();
         assert_eq!(names, ["ux formula max", "energy", "ux formula max 2", "ux formula max 3"]);
     }

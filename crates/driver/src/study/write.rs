@@ -5,6 +5,7 @@ use super::order::ROUNDING;
 use super::plan::Plan;
 use crate::output::plot::{LogLog, PowerLine, write_log_log};
 use crate::output::{atomic, csv, folder as folders, report};
+use crate::results::{is_picture, write_formats};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -37,17 +38,19 @@ fn write_all(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> 
         }
     }
     sweep(&plots, &drawn)?;
+    let formats = plan.tasks.first().map_or(&[][..], |task| &task.source.case.drawing.formats);
+    write_formats(&plots, formats)?;
     write_table(&folder.join("study.csv"), plan, findings)?;
     report::write(&folder.join("report.html"), &super::report::page(plan, findings))?;
     let text = serde_json::to_string_pretty(findings)?;
     atomic::write_atomically(&folder.join("study.json"), format!("{text}\n").as_bytes())
 }
 
-/// Removes diagrams that are no longer made; another process that collects the same study may have done so.
+/// Removes pictures of diagrams that are no longer made, in any format; another process that collects the same study may have done so.
 fn sweep(plots: &Path, drawn: &[String]) -> io::Result<()> {
     for entry in fs::read_dir(plots)? {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if name.ends_with(".svg") && !drawn.contains(&name) {
+        if is_picture(&name) && !drawn.contains(&name) {
             match fs::remove_file(plots.join(&name)) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
                 _ => {}
@@ -136,20 +139,12 @@ fn write_table(file: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> 
             paths.push(path);
         }
     }
+    let length = plan.tasks.first().map_or("", |task| task.source.case.units.length());
+    let [horizon, spacing] = ["horizon", "spacing"].map(|size| csv::head(size, length));
     let mut headers = vec!["task"];
     headers.extend(&paths);
-    headers.extend([
-        "horizon",
-        "spacing",
-        "points",
-        "unknowns",
-        "converged",
-        "seconds",
-        "quantity",
-        "value",
-        "error",
-        "order",
-    ]);
+    headers.extend([&horizon, &spacing, "points", "unknowns", "converged", "seconds"]);
+    headers.extend(["quantity", "unit", "value", "error", "order"]);
     let mut rows = Vec::new();
     for series in &findings.series {
         let setting = |path: &&str| {
@@ -166,7 +161,8 @@ fn write_table(file: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> 
                 row.extend(paths.iter().map(setting));
                 row.extend([r.horizon, r.spacing].map(|v| format!("{v:?}")));
                 row.extend([r.points, r.unknowns].map(|v| v.to_string()));
-                row.extend([r.converged.to_string(), format!("{:?}", r.seconds), quantity.name.clone()]);
+                row.extend([r.converged.to_string(), format!("{:?}", r.seconds)]);
+                row.extend([quantity.name.clone(), quantity.unit.clone()]);
                 row.push(number(quantity.values.get(k).copied()));
                 row.push(number(quantity.errors.get(k).copied()));
                 row.push(number(k.checked_sub(1).and_then(|k| quantity.orders.get(k).copied().flatten())));

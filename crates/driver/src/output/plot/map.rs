@@ -112,7 +112,8 @@ pub fn render_map(map: &Map) -> io::Result<String> {
     );
     text(&mut svg, [SIDE, 30.0], 17, "start", " font-weight=\"bold\"", &map.title);
     text(&mut svg, [SIDE, 54.0], 13, "start", "", &map.note);
-    svg.push_str("<g shape-rendering=\"crispEdges\">\n");
+    // Viewers of PDF smooth every edge: without a line of its own colour, cells would have seams.
+    svg.push_str("<g shape-rendering=\"crispEdges\" stroke-width=\"4\">\n");
     cells(&mut svg, map, &view, &scale);
     svg.push_str("</g>\n");
     let place = |at: [f64; 2]| view.place(at);
@@ -155,7 +156,7 @@ fn cells(svg: &mut String, map: &Map, view: &View, scale: &Scale) {
     let colors = colored.iter().enumerate().map(|(k, path)| (fill(k), path));
     for (fill, path) in std::iter::once(("#E4E7EB".to_string(), &ghost[0])).chain(colors) {
         if !path.is_empty() {
-            let _ = writeln!(svg, "<path fill=\"{fill}\" d=\"{path}\"/>");
+            let _ = writeln!(svg, "<path fill=\"{fill}\" stroke=\"{fill}\" d=\"{path}\"/>");
         }
     }
 }

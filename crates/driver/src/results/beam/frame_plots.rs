@@ -24,7 +24,7 @@ pub(super) fn write(
     result: &BeamResult,
     title: &str,
 ) -> io::Result<()> {
-    let (units, signs) = (scene.units, scene.case.drawing.unwrap_or_default().signs);
+    let (units, signs) = (scene.units, scene.case.drawing.signs);
     // A positive moment stretches the side of −w.
     let diagrams = [
         ("axial_force", FieldName::N, 1.0, units.label("axial force N", "N") + ", tension positive"),

@@ -25,7 +25,7 @@ pub(super) fn picture(scene: &BeamScene, frame: &FrameLayout, result: &BeamResul
         shapes,
         ..View::default()
     }));
-    let signs = scene.case.drawing.unwrap_or_default().signs;
+    let signs = scene.case.drawing.signs;
     let shear_note = signs.shear_note().trim_start_matches(", ");
     let rest = [
         ("shear force V", (FieldName::V, signs.of_shear()), shear_note),

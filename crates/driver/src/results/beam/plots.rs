@@ -19,7 +19,7 @@ pub(super) fn title(scene: &BeamScene, result: &BeamResult) -> String {
 pub(super) fn diagrams(scene: &BeamScene, result: &BeamResult) -> Vec<(&'static str, Diagram)> {
     let units = scene.units;
     let (length, moment) = (units.length(), units.moment());
-    let signs = scene.case.drawing.unwrap_or_default().signs;
+    let signs = scene.case.drawing.signs;
     let fields = [
         ("deflection", Field::W, units.label("deflection w", length)),
         ("rotation", Field::Phi, "rotation φ [rad]".into()),

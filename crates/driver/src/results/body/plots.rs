@@ -27,7 +27,7 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
     let raster = Raster::new(scene);
     let apart = raster.between(&result.parted(scene));
     let torn = [raster.torn(&scene.crack_paths()), apart.clone()].concat();
-    let drawing = scene.case.drawing.unwrap_or_default();
+    let drawing = &scene.case.drawing;
     let corners: Vec<_> = raster.corners().collect();
     let given = scene.cracks.iter().map(|c| c.crack.vertices().to_vec());
     let grown = apart.iter().filter_map(|&side| raster.faces(side, &corners).into_iter().next());
@@ -105,7 +105,7 @@ fn displacement(
     let lines = apart.iter().flat_map(|&side| raster.faces(side, &corners)).collect();
     let sizes = raster.means(&size);
     let isolines = isolines(scene, (raster, apart), (&sizes, &corners), range);
-    let arrows = match scene.case.drawing.unwrap_or_default().arrows {
+    let arrows = match scene.case.drawing.arrows {
         Some(Arrows::Displacement) => marks::displacements(raster, &means, factor),
         _ => Vec::new(),
     };
@@ -130,7 +130,7 @@ fn isolines(
     (means, corners): (&[f64], &[[[f64; 2]; 4]]),
     range: [f64; 2],
 ) -> Vec<Isoline> {
-    let Some(count) = scene.case.drawing.and_then(|drawing| drawing.isolines) else { return Vec::new() };
+    let Some(count) = scene.case.drawing.isolines else { return Vec::new() };
     let middle = |c: &[[f64; 2]; 4]| [0, 1].map(|k| 0.25 * (c[0][k] + c[1][k] + c[2][k] + c[3][k]));
     let middles: Vec<[f64; 2]> = corners.iter().map(middle).collect();
     marks::isolines(raster, (means, &middles), apart, (range, count))
