@@ -61,6 +61,13 @@ pub struct Constraints {
 /// Coefficients below this part of the largest one of a row are nothing in double precision.
 const UNSEEN: f64 = 1e-18;
 
+/// Coefficients below this part of the largest one of an equation as it is given are what rounding makes of none: no unknown
+/// follows from them. `cos 90°` is 6e-17, and what neighbours hold in common cancels to as much.
+const NOTHING: f64 = 1e-12;
+
+/// Part of the largest coefficient that the first one has at least, for its unknown to depend on the others.
+const WEAK: f64 = 1e-3;
+
 /// Part of its terms by which an equation may miss its right-hand side: corners of two edges are held once, to rounding.
 const ROUNDING: f64 = 1e-8;
 
@@ -272,11 +279,15 @@ fn is_rounding(sum: f64, size: f64) -> bool {
 }
 
 impl Reduced {
-    /// The unknown to eliminate: the first one of the equation if it is still there, else the largest coefficient.
-    fn pivot(&self, terms: &[(usize, f64)]) -> Option<usize> {
-        let declared = terms.first().and_then(|&(u, _)| self.terms.iter().find(|t| t.0 == u));
-        let largest = self.terms.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        declared.or(largest).map(|t| t.0)
+    /// The unknown to eliminate from what is left of the equation with these terms: its first one if that is still there and has
+    /// not all but gone, else the one with the largest coefficient; none if nothing is left.
+    fn pivot(&self, given: &[(usize, f64)]) -> Option<usize> {
+        let most = given.iter().fold(0.0_f64, |most, t| most.max(t.1.abs()));
+        let largest = self.terms.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        let is_weak = |t: &&(usize, f64)| t.1.abs() < WEAK * largest.1.abs();
+        let declared = given.first().and_then(|&(u, _)| self.terms.iter().find(|t| t.0 == u));
+        let pivot = declared.filter(|t| !is_weak(t)).unwrap_or(largest);
+        (largest.1.abs() > NOTHING * most).then_some(pivot.0)
     }
 
     fn residual_is_rounding(&self) -> bool {
@@ -360,6 +371,34 @@ mod tests {
         let mut u = [0.0, 0.0, 0.6];
         c.expand(1.0, &mut u);
         assert_eq!(u, [1.7, 2.0, 0.6]);
+    }
+
+    #[test]
+    fn what_rounding_leaves_of_a_coefficient_holds_nothing() {
+        // A roller turned by 90°, whose cosine is 6e-17, says what the other equation says, in either order.
+        let turned = equation(&[(0, std::f64::consts::FRAC_PI_2.cos()), (1, 1.0)], 0.0, "turned");
+        let plain = equation(&[(1, 1.0)], 0.0, "plain");
+        for order in [[turned.clone(), plain.clone()], [plain, turned.clone()]] {
+            let c = Constraints::new(2, &order).unwrap();
+            let mut u = [3.0, 5.0];
+            c.expand(1.0, &mut u);
+            assert!(u[0] == 3.0 && u[1].abs() < 1e-15, "{u:?}");
+        }
+        // Alone it holds the unknown that its normal is along, though the other is its first.
+        let c = Constraints::new(2, &[turned]).unwrap();
+        assert_eq!(c.rows()[0].unknown, 1);
+        assert!(c.rows()[0].masters.iter().all(|m| m.1.abs() < 1e-15));
+    }
+
+    #[test]
+    fn fill_that_cancels_is_no_pivot() {
+        // u0 = 0.1 u2, u1 = 0.3 u2 (1 + 1e-15), and 3 u0 - u1 = 0, which repeats them, or contradicts them with a value.
+        let a = equation(&[(0, 1.0), (2, -0.1)], 0.0, "a");
+        let b = equation(&[(1, 1.0), (2, -0.3 * (1.0 + 1e-15))], 0.0, "b");
+        let last = |value: f64| equation(&[(0, 3e6), (1, -1e6)], value, "last");
+        let c = Constraints::new(3, &[a.clone(), b.clone(), last(0.0)]).unwrap();
+        assert_eq!(c.rows().iter().map(|row| row.unknown).collect::<Vec<_>>(), [0, 1]);
+        assert!(Constraints::new(3, &[a, b, last(1.0)]).is_err());
     }
 
     #[test]
