@@ -6,6 +6,9 @@ use super::lanczos::Lanczos;
 /// rounding: the energy error is then 1e-12 of the solution's or less, and what
 /// looks like stagnation is the floor.
 pub(super) const SETTLED: f64 = 1.0e-24;
+/// Curvature of a direction over its square in the norm of the preconditioner below which no rounding makes it: that of one that is
+/// settled is nothing but rounding.
+const NEGATIVE: f64 = -1.0e-2;
 /// Iterations without a new smallest `r . z` after which a settled iteration ends.
 const SETTLED_WINDOW: usize = 5;
 /// A fall of `r . z` in one step that only a factor makes, and the next one will be as steep. Falls with other
@@ -97,6 +100,8 @@ pub(super) struct Watch<'a> {
     /// Squared 2-norms of the residual, if asked for.
     first_square: f64,
     last_square: f64,
+    /// Square of the direction in the norm of the preconditioner: `p = z + beta p`, and `z` is across the last one.
+    direction: f64,
     lanczos: Lanczos,
 }
 
@@ -114,6 +119,7 @@ impl<'a> Watch<'a> {
             later_energy: 0.0,
             first_square: 0.0,
             last_square: 0.0,
+            direction: 0.0,
             lanczos: Lanczos::default(),
         }
     }
@@ -125,7 +131,7 @@ impl<'a> Watch<'a> {
             self.last_square = self.first_square;
         }
         (self.first, self.last, self.smallest) = (rz, rz, rz);
-        self.previous = 0.0;
+        (self.previous, self.direction) = (0.0, rz);
         if !rz.is_finite() {
             Some(PcgStatus::NotFinite)
         } else if rz <= 0.0 {
@@ -143,7 +149,7 @@ impl<'a> Watch<'a> {
             Some(PcgStatus::NotFinite)
         } else if curvature > 0.0 {
             None
-        } else if self.settled() {
+        } else if self.settled() && curvature > NEGATIVE * self.direction {
             Some(PcgStatus::Converged)
         } else {
             Some(PcgStatus::IndefiniteOperator)
@@ -183,6 +189,7 @@ impl<'a> Watch<'a> {
         self.iterations += 1;
         self.lanczos.step(step, next / rz);
         (self.previous, self.last) = (rz, next);
+        self.direction = next + (next / rz).powi(2) * self.direction;
         if !next.is_finite() || !energy.is_finite() {
             return Some(PcgStatus::NotFinite);
         }

@@ -196,3 +196,25 @@ fn a_solution_is_added_to_what_is_there() {
         assert!((x - expected).abs() < 1.0e-14);
     }
 }
+
+/// The diagonal 1, 1, -1.
+struct Saddle;
+
+impl LinearOperator for Saddle {
+    fn size(&self) -> usize {
+        3
+    }
+
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        y.copy_from_slice(&[x[0], x[1], -x[2]]);
+    }
+}
+
+#[test]
+fn a_direction_of_negative_curvature_that_the_load_hardly_excites_is_no_rounding() {
+    // The first step takes all but 1e-13 of the load, and the second one goes down without end.
+    let options = PcgOptions { energy_drop: 0.0, ..PcgOptions::default() };
+    let report =
+        Pcg::new(3).solve(&Saddle, &mut Identity(3), &mut [1.0, 1.0, 1e-13], &mut [0.0; 3], &options);
+    assert_eq!(report.status, PcgStatus::IndefiniteOperator);
+}
