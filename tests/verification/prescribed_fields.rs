@@ -192,6 +192,31 @@ fn formulas_are_the_profiles_that_they_describe() {
 }
 
 #[test]
+fn a_formula_with_one_value_is_that_number() {
+    // A strip under a uniform tension is exact, whatever the edges: u = σ L/E; a formula left 0.1 % in u, 2 % in the stress.
+    let strip = |[left, right]: [Value; 2]| {
+        json!({
+            "title": "strip", "units": "mm-N-MPa",
+            "model": { "state_plane": { "youngs_modulus": 7e4, "poisson_ratio": 0.3, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [81, 21], "spacing": 3 } },
+            "supports": [ { "at": { "x": 40.5, "y": 10.5 }, "ux": 0, "uy": 0 }, { "at": { "x": 40.5, "y": 16.5 }, "ux": 0 } ],
+            "loads": [ { "traction": left }, { "traction": right } ]
+        })
+    };
+    let formula = |edge: &str, value: &str| json!({ "edge": edge, "formula": [value, "0*x"] });
+    let suction = |edge: &str| json!({ "edge": edge, "pressure": "-100 - 0*y" });
+    for tractions in [
+        [formula("left", "-100 - 0*y"), formula("right", "100 + y - y")],
+        [suction("left"), suction("right")],
+    ] {
+        let solved = solve(&strip(tractions));
+        let stress = solved.field(0, "stress_xx").expect("stresses");
+        let worst = stress.iter().fold(0.0_f64, |worst, s| worst.max((s / 100.0 - 1.0).abs()));
+        assert!(worst < 1e-9, "{worst:.1e}");
+    }
+}
+
+#[test]
 fn formulas_without_a_value_are_faults_where_they_stand() {
     let case = |support: Value, load: Value| {
         json!({

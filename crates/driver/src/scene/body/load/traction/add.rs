@@ -23,6 +23,12 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
     if tractions.is_empty() && !(pulled && matched) {
         return;
     }
+    // A formula with one value is that number: it is the same load and acts the same way.
+    let plain: Vec<OnBorder> = tractions
+        .iter()
+        .map(|t| OnBorder { profile: t.profile.plain(&t.stretches(context.ground)), ..t.clone() })
+        .collect();
+    let tractions = &plain[..];
     // Stresses that go with a traction are those in the plane.
     let acts_across = tractions.iter().any(|t| t.profile.acts_across());
     // Chords of round borders are known to one stress to rounding; what it does to images is not what goes into a mirror.

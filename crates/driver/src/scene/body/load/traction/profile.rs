@@ -6,6 +6,9 @@ use peristat_assembly::body::in_space;
 use peristat_assembly::quadrature::GAUSS;
 use std::sync::Arc;
 
+/// Part of its value by which a formula may vary where it says the same everywhere.
+const ROUNDING: f64 = 1e-14;
+
 /// How a traction varies along its border.
 #[derive(Clone, Debug)]
 pub(crate) enum Profile {
@@ -79,6 +82,21 @@ impl Profile {
             Self::Linear([from, to]) if from == to => Some(from),
             Self::Pressure(_) => Some(self.at(0.0, [0.0; 2], normal)),
             _ => None,
+        }
+    }
+
+    /// By numbers, where formulas have one value on all of some stretches; else as it is.
+    pub(crate) fn plain(&self, stretches: &[Stretch]) -> Self {
+        // Against this normal a pressure is along x.
+        let value = |s: Sample| self.at(s.place, s.at, [-1.0, 0.0]);
+        let mut values = stretches.iter().flat_map(Stretch::samples).map(value);
+        let Some(first) = values.next() else { return self.clone() };
+        let slack = ROUNDING * first.iter().fold(0.0_f64, |most, t| most.max(t.abs()));
+        let is_one = values.all(|other| (0..3).all(|k| (other[k] - first[k]).abs() <= slack));
+        match self {
+            Self::Formula(_) if is_one => Self::Linear([first; 2]),
+            Self::PressureFormula(_) if is_one => Self::Pressure(first[0]),
+            _ => self.clone(),
         }
     }
 
