@@ -151,6 +151,27 @@ fn a_strip_over_a_wall_has_the_reactions_of_a_beam_of_two_spans() {
 }
 
 #[test]
+fn reactions_of_all_supports_are_the_load_where_a_wall_meets_an_edge() {
+    // Whichever of them comes first holds the point in common; edges and wall counted it twice.
+    let wall = json!({ "at": { "region": "wall" }, "w": 0, "phi_x": 0 });
+    let edges = json!({ "at": { "region": ["left", "bottom"] }, "w": 0 });
+    let [left, bottom] = ["left", "bottom"].map(|name| json!({ "at": { "region": name }, "w": 0 }));
+    for supports in
+        [json!([wall, left, bottom]), json!([left, bottom, wall]), json!([wall, edges]), json!([edges, wall])]
+    {
+        let mut case = square(16, 0.05, supports.clone());
+        case["regions"] = json!({ "wall": { "box": { "from": [0.5, 0], "to": [0.5, 1] } } });
+        case["probes"] = ["left", "bottom", "wall"]
+            .map(|name| on(name, json!({ "region": name }), "reaction_force"))
+            .into_iter()
+            .collect();
+        let found = solved(&case);
+        let sum: f64 = ["left", "bottom", "wall"].iter().map(|name| probe(&found, name)).sum();
+        assert!((sum + 1.0).abs() < 1e-12, "{supports}: {sum}");
+    }
+}
+
+#[test]
 fn places_without_one_reaction_per_length_are_refused() {
     let mut case = square(8, 0.1, hard());
     let mut refuses = |probe: Value, text: &str| {

@@ -169,39 +169,58 @@ fn at_place(
 }
 
 /// What a point that a support holds by some sides counts on others: a half where both of its edges at a corner are held and one is
-/// asked for, so that reactions of all edges sum to the whole.
-fn share(point: u32, held: &[Side], asked: &[Side]) -> f64 {
+/// asked for, so that reactions of all edges sum to the whole. None if it holds the point by no side.
+fn share(point: u32, held: &[Side], asked: &[Side]) -> Option<f64> {
     let at = |side: &&Side| side.segment.points.contains(&point);
     let is_asked = |side: &&Side| asked.iter().any(|own| own.segment == side.segment);
     let all = held.iter().filter(at).count();
     let own = held.iter().filter(at).filter(is_asked).count();
-    if all == 0 { 1.0 } else { own as f64 / all as f64 }
+    (all != 0).then(|| own as f64 / all as f64)
 }
 
-/// All that supports do to points, of a part of the border by its sides.
+/// Indices of equations and of springs, and how much of the force of each counts.
+type Parts = [Vec<(usize, f64)>; 2];
+
+/// What a support does along a component at some points, by what each of them counts.
+fn parts(component: usize, number: usize, held: &Held, share: &dyn Fn(u32) -> f64) -> Parts {
+    let support = &held.supports[number];
+    let equation = |k: usize| {
+        // What an equation does to other points is the reaction of the one that it holds, its first.
+        let terms = &held.equations[k].terms;
+        let share = terms.first().map_or(0.0, |(unknown, _)| share(unknown.point as u32));
+        let own = terms.iter().filter(|(unknown, _)| unknown.component == component);
+        (k, share * own.map(|(_, c)| c).sum::<f64>())
+    };
+    let resists = |k: &usize| held.springs[*k].single().is_some_and(|(own, _)| own == component);
+    let springs = support.springs.clone().filter(resists);
+    let springs = springs.map(|k| (k, share(held.springs[k].point as u32)));
+    let acts = |part: &(usize, f64)| part.1 != 0.0;
+    [support.equations.clone().map(equation).filter(acts).collect(), springs.filter(acts).collect()]
+}
+
+/// What supports do to points, of a part of the border by its sides. At the place of a support that is what this support does, and
+/// a line inside keeps the point where it meets an edge: the sum over all supports is the load.
 fn reaction(component: usize, points: &[u32], asked: Option<&[Side]>, held: &Held) -> Option<PlateQuantity> {
-    let (mut equations, mut springs) = (Vec::new(), Vec::new());
-    for (support, sides) in held.supports.iter().zip(&held.sides) {
-        let share = |point: u32| match (points.binary_search(&point), asked) {
-            (Err(_), _) => 0.0,
-            (Ok(_), Some(asked)) => share(point, sides, asked),
-            (Ok(_), None) => 1.0,
-        };
-        for k in support.equations.clone() {
-            // What an equation does to other points is the reaction of the one that it holds, its first.
-            let terms = &held.equations[k].terms;
-            let share = terms.first().map_or(0.0, |(unknown, _)| share(unknown.point as u32));
-            let own = terms.iter().filter(|(unknown, _)| unknown.component == component);
-            let sum = share * own.map(|(_, c)| c).sum::<f64>();
-            if sum != 0.0 {
-                equations.push((k, sum));
-            }
+    let numbers = || 0..held.supports.len();
+    let by_edge = |point: u32| {
+        let is_own = |k: usize| share(point, &held.sides[k], &[]).is_some();
+        let holds = |k: usize| parts(component, k, held, &|other| f64::from(u8::from(other == point)));
+        numbers().any(|k| is_own(k) && holds(k) != Parts::default())
+    };
+    let counts = |number: usize, point: u32| match (points.binary_search(&point), asked) {
+        (Err(_), _) => 0.0,
+        (Ok(_), Some(asked)) => {
+            share(point, &held.sides[number], asked).unwrap_or_else(|| f64::from(u8::from(!by_edge(point))))
         }
-        let resists = |k: &usize| held.springs[*k].single().is_some_and(|(own, _)| own == component);
-        let sprung = support.springs.clone().filter(resists);
-        let sprung = sprung.map(|k| (k, share(held.springs[k].point as u32)));
-        springs.extend(sprung.filter(|spring| spring.1 != 0.0));
+        (Ok(_), None) => 1.0,
+    };
+    let of = |number: usize| parts(component, number, held, &|point| counts(number, point));
+    let is_here = |number: &usize| held.points[*number] == points;
+    let mut all: Vec<Parts> = numbers().filter(is_here).map(of).collect();
+    if all.iter().all(|own| *own == Parts::default()) {
+        all = numbers().map(of).collect();
     }
+    let [equations, springs]: Parts = [0, 1].map(|k| all.iter().flat_map(|own| own[k].clone()).collect());
     let is_held = !(equations.is_empty() && springs.is_empty());
     is_held.then_some(PlateQuantity::Reaction { component, equations, springs })
 }
