@@ -108,6 +108,31 @@ fn lines_of_symmetry_are_those_of_the_whole_plate() {
 }
 
 #[test]
+fn moments_under_a_force_on_a_line_of_symmetry_are_those_of_the_whole_plate() {
+    let fields = ["M_xx", "M_yy", "M_xy", "V_x", "V_y", "curvature_xx", "curvature_yy"];
+    let loaded = |mut case: Value, force: f64| {
+        case["loads"] = json!([{ "point": { "at": { "x": 0.5, "y": 0.25 }, "force": force } }]);
+        // On the line, beside it, and where it ends.
+        let places = [[0.5, 0.25], [0.5, 0.5], [0.4375, 0.25], [0.5, 0.0], [0.5, 1.0], [0.25, 0.0]];
+        let probes = places.iter().flat_map(|[x, y]| {
+            fields.map(|f| json!({ "name": format!("{f} {x} {y}"), "at": { "x": x, "y": y }, "field": f }))
+        });
+        case["probes"] = probes.collect();
+        solved(&case)
+    };
+    let whole = loaded(square(16, 0.05, hard()), 2.0);
+    let mut half =
+        square(16, 0.05, json!([{ "at": { "region": ["left", "bottom", "top"] }, "w": 0, "phi_t": 0 }]));
+    half["body"]["rectangle"]["size"] = json!([0.5, 1]);
+    half["symmetry"] = json!(["right"]);
+    // A force on the line is shared by both halves.
+    let half = loaded(half, 1.0);
+    for (a, b) in whole.summary.probes.iter().zip(&half.summary.probes) {
+        assert!((a.value - b.value).abs() < 1e-9, "{}: {} {}", a.name, a.value, b.value);
+    }
+}
+
+#[test]
 fn a_quarter_around_a_clamped_hole_is_the_whole_plate() {
     let clamp = || json!([ { "at": { "region": "hole" }, "w": 0, "phi_n": 0, "phi_t": 0 } ]);
     let pierced = |from: f64, size: f64| {

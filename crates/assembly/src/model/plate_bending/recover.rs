@@ -2,7 +2,8 @@
 //!
 //! Moments come from differences of the rotations, one-sided ones of second order at edges. `S (∇w − φ)` would be the small
 //! difference of large numbers in a thin plate, and hundreds of times too large; shear forces come from the bonds, each of which
-//! knows `V·n = s γ_b/(2ω)`. At an edge half of the bonds are missing: there shear forces are continued from inside.
+//! knows `V·n = s γ_b/(2ω)`. At an edge half of the bonds are missing: there shear forces are continued from inside. On a line of
+//! symmetry the other half is the image of this one: rotations across it, and shear forces across it, have the other sign.
 //!
 //! Beside a step of the thickness differences are one-sided, as the curvature is not continuous there, and a point on the step has the
 //! mean of its cells: of moments that bend across the step, which are the same on both sides, and of those along it, which are not.
@@ -23,16 +24,20 @@ pub struct PlateFields {
     pub shear: Vec<[f64; 2]>,
 }
 
+/// On which lines of symmetry a point lies, by the axis across them.
+type OnMirror<'a> = &'a dyn Fn(usize) -> [bool; 2];
+
 impl PlateBending {
-    /// The fields of unknowns.
-    pub fn fields(&self, u: &[f64]) -> PlateFields {
+    /// The fields of unknowns; `on_mirror` says of a point whether it is on lines of symmetry across x and y, behind which the plate goes
+    /// on.
+    pub fn fields(&self, u: &[f64], on_mirror: OnMirror) -> PlateFields {
         let n = self.nodes().points();
         let (mut curvature, mut moment) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
         for point in 0..n {
             let about = self.sections().about(self.nodes(), point);
             let area: f64 = about.iter().map(|part| part.1).sum();
             for (number, part) in about {
-                let own = self.curvature(u, point, number);
+                let own = self.curvature(u, point, number, on_mirror(point));
                 let own_moment = self.parts()[number].parameters.section.moments(own);
                 for k in 0..3 {
                     curvature[point][k] += part / area * own[k];
@@ -40,13 +45,17 @@ impl PlateBending {
                 }
             }
         }
-        PlateFields { curvature, moment, shear: self.shear_forces(u) }
+        PlateFields { curvature, moment, shear: self.shear_forces(u, on_mirror) }
     }
 
     /// Curvature at a point of the part with a section.
-    fn curvature(&self, u: &[f64], point: usize, number: usize) -> [f64; 3] {
+    fn curvature(&self, u: &[f64], point: usize, number: usize, on_mirror: [bool; 2]) -> [f64; 3] {
         let n = self.nodes().points();
-        let slope = |c: usize, axis: usize| self.slope(&u[c * n..(c + 1) * n], point, axis, number);
+        let slope = |c: usize, axis: usize| {
+            let sign = if c == PHI_X + axis { -1.0 } else { 1.0 };
+            let image = on_mirror[axis].then_some(sign);
+            self.slope(&u[c * n..(c + 1) * n], point, (axis, image), number)
+        };
         [slope(PHI_X, 0), slope(PHI_Y, 1), 0.5 * (slope(PHI_X, 1) + slope(PHI_Y, 0))]
     }
 
@@ -69,13 +78,17 @@ impl PlateBending {
         found
     }
 
-    /// Derivative of values along an axis at a point of the part with a section.
-    fn slope(&self, values: &[f64], point: usize, axis: usize, number: usize) -> f64 {
+    /// Derivative of values along an axis at a point of the part with a section; on a mirror across the axis with the sign of values
+    /// behind it.
+    fn slope(&self, values: &[f64], point: usize, (axis, image): (usize, Option<f64>), number: usize) -> f64 {
         let h = self.nodes().spacing();
         let own = values[point];
         let of = |points: &[usize]| points.iter().map(|&p| values[p] - own).collect::<Vec<_>>();
         let [back, ahead] = [-1, 1].map(|sign| of(&self.ahead(point, axis, (sign, number), 2)));
         // Differences to the own value: a uniform rotation has no curvature.
+        if let (Some(sign), Some((near, from))) = (image, beside(&back, &ahead)) {
+            return from * (near - (sign * (near + own) - own)) / (2.0 * h);
+        }
         match (&back[..], &ahead[..]) {
             ([b, ..], [a, ..]) => (a - b) / (2.0 * h),
             ([], [a, b]) => (4.0 * a - b) / (2.0 * h),
@@ -87,11 +100,14 @@ impl PlateBending {
     }
 
     /// Shear forces of all points.
-    fn shear_forces(&self, u: &[f64]) -> Vec<[f64; 2]> {
-        let by_bonds = self.shear_of_bonds(u);
+    fn shear_forces(&self, u: &[f64], on_mirror: OnMirror) -> Vec<[f64; 2]> {
+        let by_bonds = self.shear_of_bonds(u, on_mirror);
         let h = self.nodes().spacing();
-        // All four cells about it belong to the body.
-        let is_inner = |point: usize| self.nodes().area(point) > 0.99 * h * h;
+        // All four cells about it belong to the body, or are images of some.
+        let is_inner = |point: usize| {
+            let images: f64 = on_mirror(point).iter().map(|is_on| if *is_on { 2.0 } else { 1.0 }).product();
+            images * self.nodes().area(point) > 0.99 * h * h
+        };
         let of_point = |point: usize| match is_inner(point) {
             true => by_bonds[point],
             false => self.continued(&by_bonds, point, &is_inner).unwrap_or(by_bonds[point]),
@@ -126,7 +142,7 @@ impl PlateBending {
     }
 
     /// Shear forces by the bonds of every point: least squares of `V·n = s γ_b/(2ω)`, weighed by ω and the part in the body.
-    fn shear_of_bonds(&self, u: &[f64]) -> Vec<[f64; 2]> {
+    fn shear_of_bonds(&self, u: &[f64], on_mirror: OnMirror) -> Vec<[f64; 2]> {
         let (nodes, n) = (self.nodes(), self.nodes().points());
         let mut sums = vec![([0.0; 3], [0.0; 2]); n];
         for Part { parameters, offsets, bonds, .. } in self.parts() {
@@ -151,7 +167,22 @@ impl PlateBending {
                 }
             });
         }
-        sums.into_iter().map(|(matrix, right)| solved(matrix, right)).collect()
+        // Bonds and their images together have no product of both axes, and no shear force across a mirror.
+        let with_images = |(point, ([xx, xy, yy], [x, y])): (usize, ([f64; 3], [f64; 2]))| {
+            let is_on = on_mirror(point);
+            let xy = if is_on.contains(&true) { 0.0 } else { xy };
+            solved([xx, xy, yy], [if is_on[0] { 0.0 } else { x }, if is_on[1] { 0.0 } else { y }])
+        };
+        sums.into_iter().enumerate().map(with_images).collect()
+    }
+}
+
+/// The value of a point on an end of the plate that is next to it, and the sign of its side; none of an inner point.
+fn beside(back: &[f64], ahead: &[f64]) -> Option<(f64, f64)> {
+    match (back, ahead) {
+        ([], [near, ..]) => Some((*near, 1.0)),
+        ([near, ..], []) => Some((*near, -1.0)),
+        _ => None,
     }
 }
 

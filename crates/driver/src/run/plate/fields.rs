@@ -9,6 +9,7 @@ use crate::scene::PlateScene;
 use crate::scene::plate::Thickness;
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, PlateFields, W};
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The result of one state of a plate in bending.
@@ -28,6 +29,14 @@ pub struct PlateResult {
     thickness: Arc<Thickness>,
 }
 
+/// Curvatures, moments and shear forces, with what goes on behind lines of symmetry.
+fn recovered(scene: &PlateScene, u: &[f64]) -> PlateFields {
+    let mirrors = scene.supports.iter().filter(|support| support.is_mirror);
+    let terms = mirrors.flat_map(|mirror| &scene.equations[mirror.equations.clone()]).flat_map(|e| &e.terms);
+    let on: BTreeSet<(usize, usize)> = terms.map(|(held, _)| (held.point, held.component)).collect();
+    scene.plate.fields(u, &|point| [PHI_X, PHI_Y].map(|across| on.contains(&(point, across))))
+}
+
 /// Collects the result of a state.
 pub(super) fn collect(scene: &PlateScene, solved: SolvedState, recover: bool) -> PlateResult {
     let SolvedState { state: index, load, solution, mut certificate } = solved;
@@ -41,7 +50,7 @@ pub(super) fn collect(scene: &PlateScene, solved: SolvedState, recover: bool) ->
     PlateResult {
         reactions: reaction::of_supports(scene, &solution.multipliers, &u),
         along_lines: along_lines(scene, &solution.multipliers, &u),
-        recovered: recover.then(|| scene.plate.fields(&u)),
+        recovered: recover.then(|| recovered(scene, &u)),
         multipliers: solution.multipliers,
         points: n,
         thickness: scene.thickness.clone(),

@@ -98,7 +98,7 @@ fn a_step_between_uniform_curvatures_is_exact() {
         let off = largest(&mut u.iter().zip(&exact).map(|(a, b)| a - b));
         // 1e-13 is found.
         assert!(off < 1e-11 * largest(&mut exact.iter().copied()), "m = {m}, t = {t}: {off:.1e}");
-        let fields = plate.fields(&u);
+        let fields = plate.fields(&u, &|_| [false; 2]);
         for (point, moment) in fields.moment.iter().enumerate() {
             let x = plate.nodes().place(point)[0];
             let yy = match (x - step).abs() < 1e-9 {
