@@ -6,11 +6,11 @@
 //! are exact for every uniform strain.
 
 use super::super::plane::PlaneFields;
+use super::blocks::Means;
 use super::body::StateBody;
 use super::{Dilatation, StateParameters};
 use crate::body::{Cell, SquareLattice, plus};
 use rayon::prelude::*;
-use std::collections::HashMap;
 
 /// What the family of a point tells of its state.
 #[derive(Clone, Copy, Debug, Default)]
@@ -65,21 +65,21 @@ impl StateBody {
         }
     }
 
-    /// Means of the dilatation over the points of a material in every block, or those of the points.
-    fn dilatations(&self, parameters: &StateParameters, states: &[State]) -> Vec<f64> {
+    /// Means of the dilatation over the points of a material in every block, and what they are at the points; or those of the points.
+    fn dilatations(&self, parameters: &StateParameters, states: &[State]) -> [Vec<f64>; 2] {
+        let own: Vec<f64> = states.iter().map(State::dilatation).collect();
         if parameters.dilatation == Dilatation::Points {
-            return states.iter().map(State::dilatation).collect();
+            return [own.clone(), own];
         }
         let number = |p: usize| self.mixture.as_ref().map_or(0, |mixture| mixture.number(p));
         let block = |p: usize| (SquareLattice::parent(self.lattice.cell(p)), number(p));
-        let mut sums: HashMap<(Cell, usize), [f64; 2]> = HashMap::new();
-        for (p, state) in states.iter().enumerate() {
-            let volume = self.families.energy[p];
-            let sum = sums.entry(block(p)).or_default();
-            *sum = [sum[0] + volume * state.dilatation(), sum[1] + volume];
-        }
-        let mean = |p: usize| sums[&block(p)][0] / sums[&block(p)][1].max(f64::MIN_POSITIVE);
-        (0..states.len()).map(mean).collect()
+        let means = Means::new((&self.lattice, self.mirrors), &block, &|p| self.families.energy[p], &own);
+        let of: Vec<f64> = (0..states.len()).map(|p| means.of(block(p))).collect();
+        // Next blocks may be on the other side of a crack.
+        let is_whole = self.cuts.is_empty() && self.apart.is_empty();
+        let at = |p: usize| if is_whole { means.at(p, block(p)) } else { of[p] };
+        let at = (0..states.len()).map(at).collect();
+        [of, at]
     }
 
     /// λ, μ and the bulk modulus of a point, Pa.
@@ -95,11 +95,11 @@ impl StateBody {
         let n = self.lattice.points();
         let states: Vec<State> =
             (0..n).into_par_iter().with_min_len(1024).map(|p| self.state(parameters, p, u)).collect();
-        let means = self.dilatations(parameters, &states);
+        let [means, at_points] = self.dilatations(parameters, &states);
         let moduli = self.moduli(parameters);
         let pressure = |p: usize| {
             let [_, shear, bulk] = moduli(p);
-            bulk * means[p] - 2.0 / 3.0 * shear * states[p].dilatation()
+            bulk * at_points[p] - 2.0 / 3.0 * shear * states[p].dilatation()
         };
         let stress = |p: usize, strain: f64| pressure(p) + 2.0 * moduli(p)[1] * strain;
         let direct = |k: usize| -> Vec<f64> { (0..n).map(|p| stress(p, states[p].strain[k])).collect() };

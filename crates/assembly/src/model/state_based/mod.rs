@@ -16,6 +16,7 @@
 //! Not here: contact, torsion, finite rotations.
 
 mod axis_table;
+mod blocks;
 mod body;
 mod bordered;
 mod breaking;

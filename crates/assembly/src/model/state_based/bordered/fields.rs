@@ -1,16 +1,18 @@
 //! Stresses of the points, and the loads that belong to stresses.
 //!
 //! The bonds tell the stress `σ = μ (tr E) 1 + 2 μ E` of a body with `λ = μ`, and so the strain E, exact for every uniform
-//! strain. The stress is `p 1 + 2 μ E` with the pressure p of the dilatation, or of its mean over a block; a body of revolution
+//! strain. The stress is `p 1 + 2 μ E` with the pressure p of the dilatation, or of its means over blocks; a body of revolution
 //! has the hoop strain `u_x/x` beside E.
 
 use super::super::super::plane::PlaneFields;
 use super::super::Dilatation;
+use super::super::blocks::{Block, Means};
 use super::BorderedState;
+use super::families::Dilatations;
 use super::rings::weight;
-use crate::body::{Cell, SquareLattice};
+use crate::body::SquareLattice;
 use crate::model::Points;
-use std::collections::HashMap;
+use crate::stiffness::WideMember;
 
 impl BorderedState {
     pub(super) fn fields_of(&self, u: &[f64]) -> PlaneFields {
@@ -21,15 +23,17 @@ impl BorderedState {
         let traces: Vec<f64> = xx.iter().zip(yy).map(|(x, y)| (x + y) / (4.0 * shear)).collect();
         let hoops: Vec<f64> = (0..traces.len()).map(|p| self.hoop(u, p)).collect();
         let wholes: Vec<f64> = traces.iter().zip(&hoops).map(|(trace, hoop)| trace + hoop).collect();
-        let means = match parameters.dilatation {
-            Dilatation::Points => None,
-            Dilatation::Blocks => Some(self.block_means(&wholes)),
+        let means = match (parameters.dilatation, &self.dilatations) {
+            (Dilatation::Blocks, Some(of)) => Some(self.block_means(of, u, &wholes)),
+            _ => None,
         };
         let [xx, yy, _] = &mut fields.stress;
         for (p, (&trace, &hoop)) in traces.iter().zip(&hoops).enumerate() {
-            let (whole, mean) = (wholes[p], means.as_ref().map_or(wholes[p], |means| means[p]));
+            let (whole, block) = (wholes[p], self.block(p));
+            let [mean, own] =
+                means.as_ref().map_or([whole; 2], |means| [means.of(block), means.at(p, block)]);
             // Beyond that of the bonds.
-            let pressure = lame * whole - shear * trace + bulk * (mean - whole);
+            let pressure = lame * whole - shear * trace + bulk * (own - whole);
             xx[p] += pressure;
             yy[p] += pressure;
             let across = lame * trace * hoop + 0.5 * (lame + 2.0 * shear) * hoop * hoop;
@@ -49,18 +53,29 @@ impl BorderedState {
         if is_ring { u[point] / self.plate.lattice.place(point)[0] } else { 0.0 }
     }
 
-    /// Means over blocks of two by two real points.
-    fn block_means(&self, values: &[f64]) -> Vec<f64> {
-        let lattice = &self.plate.lattice;
-        let is_real = |cell: Cell| self.plate.mirrors.is_none() || self.plate.mirrors.is_real(cell);
-        let mut sums: HashMap<Cell, [f64; 2]> = HashMap::new();
-        for (p, value) in values.iter().enumerate().filter(|(p, _)| is_real(lattice.cell(*p))) {
-            let (sum, weight) =
-                (sums.entry(SquareLattice::parent(lattice.cell(p))).or_default(), weight(&self.plate, p));
-            *sum = [sum[0] + weight * value, sum[1] + weight];
+    /// The block of a point.
+    fn block(&self, point: usize) -> Block {
+        (SquareLattice::parent(self.plate.lattice.cell(point)), 0)
+    }
+
+    /// Means over blocks of two by two real points of dilatations as the families measure them, which have the pressure: beside the
+    /// border that of the bonds is off by a difference of the first order, times a bulk modulus without bound.
+    fn block_means(&self, of: &Dilatations, u: &[f64], wholes: &[f64]) -> Means<'_> {
+        let (lattice, mirrors, n) = (&self.plate.lattice, self.plate.mirrors, self.points());
+        let is_real = |p: usize| mirrors.is_none() || mirrors.is_real(lattice.cell(p));
+        let weight = |p: usize| if is_real(p) { weight(&self.plate, p) } else { 0.0 };
+        let (mut values, mut weights): (Vec<f64>, Vec<f64>) = (wholes.to_vec(), (0..n).map(weight).collect());
+        for (k, (&point, &volume)) in of.points.iter().zip(&of.volumes).enumerate() {
+            let moved = |member: &WideMember<2, 2>| {
+                let row = |m: usize| {
+                    (0..2).map(|c| member.rows[m][c] * u[c * n + member.point as usize]).sum::<f64>()
+                };
+                row(0) + row(1)
+            };
+            values[point as usize] = of.own.members(k).iter().map(moved).sum();
+            weights[point as usize] = volume;
         }
-        let mean = |p: usize| sums.get(&SquareLattice::parent(lattice.cell(p))).map_or(0.0, |s| s[0] / s[1]);
-        (0..values.len()).map(mean).collect()
+        Means::new((lattice, mirrors), &|p| self.block(p), &|p| weights[p], &values)
     }
 
     /// Adds the forces that do the work of the stresses of strains `t`, three planes, and, in a body of revolution, of hoop
