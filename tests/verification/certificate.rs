@@ -129,3 +129,50 @@ fn the_error_of_a_plate_that_all_but_floats_is_within_its_bound_with_blocks_of_p
         assert!(certificate.converged || exponent > 8, "1e-{exponent}: {certificate:?}");
     }
 }
+
+/// A plate of 20 × 10 with strains that need no stress.
+fn swollen(supports: &Value, strain: Value) -> Value {
+    json!({
+        "title": "swollen", "units": "mm-N-MPa",
+        "model": { "bond_plane": { "youngs_modulus": 7e4, "state": "plane_stress" } },
+        "body": { "rectangle": { "size": [20, 10], "spacing": 1 } },
+        "supports": supports, "loads": [{ "initial_strain": strain }],
+        "probes": [{ "name": "stress", "at": { "x": 10.5, "y": 5.5 }, "field": "stress_xx" }]
+    })
+}
+
+#[test]
+fn what_supports_balance_without_a_strain_is_converged() {
+    let all = json!([{ "at": { "region": "all" }, "ux": 0, "uy": 0 }]);
+    let rollers = json!([
+        { "at": { "region": ["left", "right"] }, "ux": 0 }, { "at": { "region": ["bottom", "top"] }, "uy": 0 }
+    ]);
+    // −E/(1 − ν) times the strain, ν = 1/3.
+    for supports in [&all, &rollers] {
+        let (error, certificate) = solve(&swollen(supports, json!({ "xx": 1e-3, "yy": 1e-3 })), &[-105.0]);
+        assert!(error < 1e-10 && certificate.converged, "{error:e} {certificate:?}");
+    }
+    // Loads on what is held.
+    let mut case = swollen(&json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0 }]), json!({ "xx": 1e-3 }));
+    case["loads"] = json!([{ "traction": { "edge": "left", "uniform": [100, 0] } }]);
+    case["probes"][0] = json!({ "name": "reaction", "at": { "region": "left" }, "field": "reaction_x" });
+    let (error, certificate) = solve(&case, &[-1000.0]);
+    assert!(error < 1e-12 && certificate.converged, "{error:e} {certificate:?}");
+}
+
+#[test]
+fn a_part_of_a_plate_that_sinks_evenly_is_converged() {
+    for symmetry in [json!([]), json!(["left"]), json!(["left", "bottom"])] {
+        let case = json!({
+            "title": "raft", "units": "m-N-Pa",
+            "model": { "plate_bending": { "youngs_modulus": 3e10, "poisson_ratio": 0.2, "thickness": 0.2 } },
+            "body": { "rectangle": { "size": [4, 2.5], "spacing": 0.125 } },
+            "symmetry": symmetry, "foundation": [{ "stiffness": { "uniform": 2e7 } }],
+            "loads": [{ "pressure": { "value": -8000 } }],
+            "probes": [{ "name": "w", "at": { "x": 1, "y": 1 }, "field": "w" }]
+        });
+        // −q/k.
+        let (error, certificate) = solve(&case, &[-4e-4]);
+        assert!(error < 1e-12 && certificate.converged, "{symmetry}: {error:e} {certificate:?}");
+    }
+}

@@ -1,7 +1,7 @@
 //! What every result is certified with.
 
 use super::drift::drift;
-use super::measures::{BLOCK, finite, ground, ratio, worst};
+use super::measures::{BLOCK, STRAIN_FREE, finite, ground, ratio, worst};
 use super::problem::Spread;
 use super::weigh::work;
 use super::workspace::StateSolution;
@@ -73,10 +73,6 @@ const SAFETY: f64 = 30.0;
 /// Fewer digits than this deserve a warning, and do not do for a solve that ended before it was done.
 pub(crate) const FEW_DIGITS: u32 = 6;
 
-/// Stored energy over that of the sudden jump below which a solution is free of strain: rounding leaves 1e-32, the
-/// slenderest beam of the finest grid 1e-15.
-pub(super) const STRAIN_FREE: f64 = 1e-24;
-
 /// Certifies a solution; `scales` are displacements of each component that count as equally large, so that forces and
 /// moments can be compared by their works.
 pub(super) fn certify<const D: usize>(
@@ -101,19 +97,21 @@ pub(super) fn certify<const D: usize>(
     let works = works.total();
     let energy_balance = ratio((energy - works).abs(), energy.abs().max(works.abs()));
     // Motions alone that strain nothing leave only the rounding of a sudden jump, which has no balance.
-    let strains = is_loaded(system, load) || energy > STRAIN_FREE * solution.jump_energy;
+    let jumps = !is_loaded(system, load) && energy <= STRAIN_FREE * solution.jump_energy;
+    let strains = !(jumps || solution.cancels);
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let mut balance = balance(model, load, solution.held.iter().copied().chain(ground(system, u)));
-    balance.iter_mut().for_each(|b| b.relative = finite(or_zero(b.relative)));
+    balance.iter_mut().for_each(|b| b.relative = if jumps { 0.0 } else { finite(b.relative) });
     let energy_balance = finite(or_zero(energy_balance));
     let adrift = if solution.by_factor { 0.0 } else { drift(model, system, load, solution, scales) };
     let stiffening = ratio(solution.correction_energy, 2.0 * energy.abs());
-    let strain_correction = match problem.spread() {
+    let usual = solution.action.max(usual_action(system, load, scales));
+    let (strain_correction, action) = match problem.spread() {
         // Section forces are sums of loads and of what holds a line: only the energy density is one of strains.
-        Spread::Chain => stiffening.sqrt(),
-        _ => ratio(solution.correction_action, solution.action.max(usual_action(load, scales))),
+        Spread::Chain => (stiffening.sqrt(), solution.action),
+        _ => (ratio(solution.correction_action, usual), usual),
     };
-    let held_error = ratio(solution.held_error, solution.action);
+    let held_error = ratio(solution.held_error, action);
     let seen = Seen {
         correction: worst([solution.next_correction, adrift]),
         stiffening: or_zero(stiffening),
@@ -136,15 +134,16 @@ pub(super) fn certify<const D: usize>(
     }
 }
 
-/// The action of an element, as a work, of a body in the plane that bears its loads by strains. One that hands each load to a
-/// spring beneath it has actions that are rounding, and no measure of themselves.
-fn usual_action<const D: usize>(load: &[f64], scales: &[f64; D]) -> f64 {
+/// The action of an element, as a work, of a body in the plane that bears its loads by strains; what is held bears its own. One that
+/// hands each load to a spring beneath it has actions that are rounding, and no measure of themselves.
+fn usual_action<const D: usize>(system: &System<D>, load: &[f64], scales: &[f64; D]) -> f64 {
     /// Bonds of a point that share what a section bears.
     const BONDS: f64 = 10.0;
     let points = load.len() / D;
-    let works =
-        load.chunks_exact(points).zip(scales).map(|(f, s)| s * f.iter().map(|f| f.abs()).sum::<f64>());
-    works.sum::<f64>() / (BONDS * (points as f64).sqrt())
+    let work = |unknown: usize| scales[unknown / points] * load[unknown].abs();
+    let all: f64 = (0..load.len()).map(work).sum();
+    let held: f64 = prescribed(system).map(work).sum();
+    (all - held).max(0.0) / (BONDS * (points as f64).sqrt())
 }
 
 /// Samples of the errors of a solution, all relative.
@@ -196,10 +195,15 @@ fn trusted(error: f64) -> u32 {
     (-error.log10()).floor().clamp(0.0, 15.0) as u32
 }
 
+/// The unknowns that nothing but prescribed motions moves.
+fn prescribed<const D: usize>(system: &System<D>) -> impl Iterator<Item = usize> {
+    let held = system.constraints().rows().iter().filter(|row| row.masters.is_empty());
+    held.map(|row| row.unknown)
+}
+
 /// Whether a load acts on anything that can move.
 fn is_loaded<const D: usize>(system: &System<D>, load: &[f64]) -> bool {
-    let held = system.constraints().rows().iter().filter(|row| row.masters.is_empty());
-    let on_held = held.filter(|row| load[row.unknown] != 0.0).count();
+    let on_held = prescribed(system).filter(|unknown| load[*unknown] != 0.0).count();
     load.iter().filter(|f| **f != 0.0).count() > on_held
 }
 

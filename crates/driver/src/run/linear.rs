@@ -153,10 +153,14 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             }
         }
         self.work.doubt(system, self.way.preconditioner(), load, &mut solution);
+        if solution.next_correction > DOUBTFUL {
+            self.work.weigh_cancelled(system, self.way.preconditioner(), load, &mut solution);
+        }
         let next = solution.next_correction;
         let unknowns = next > DOUBTFUL;
         // Without a strain there is no measure of forces.
-        let forces = solution.action > 0.0 && solution.held_error > DOUBTFUL_FORCES * solution.action;
+        let has_strain = solution.action > 0.0 && !solution.cancels;
+        let forces = has_strain && solution.held_error > DOUBTFUL_FORCES * solution.action;
         if self.finish.is_exact
             && (unknowns || forces)
             && self.work.refine(system, self.way.preconditioner(), (load, motion_factor), &mut solution)

@@ -21,6 +21,11 @@ impl<'a, const D: usize> Load<'a, D> {
         Self { forces, model }
     }
 
+    /// The forces with signs by chance: none of them cancels another.
+    pub(super) fn scatter(&self, to: &mut [f64]) {
+        to.iter_mut().zip(self.forces).enumerate().for_each(|(k, (to, f))| *to = f.copysign(part(k)));
+    }
+
     /// Adds an error that the rounding of the forces may be: that of every force on an unknown, and of the components along
     /// the axes that loads are given in: a slanted member has mixed them.
     pub(super) fn add_rounding(&self, errors: &mut [f64]) {

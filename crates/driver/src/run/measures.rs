@@ -5,6 +5,10 @@ use peristat_assembly::system::System;
 /// Points whose rigid motions are found together.
 pub(super) const BLOCK: usize = 256;
 
+/// Stored energy over that of a sudden jump, or of loads that do not cancel, below which a solution is free of strain: rounding
+/// leaves 1e-32, the slenderest beam of the finest grid 1e-15.
+pub(super) const STRAIN_FREE: f64 = 1e-24;
+
 /// A measure of doubt that can be written: the largest number for what is none.
 pub(super) fn finite(value: f64) -> f64 {
     worst([value]).min(f64::MAX)

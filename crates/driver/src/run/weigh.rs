@@ -1,7 +1,7 @@
 //! What a solution tells of its own errors.
 
 use super::load::Load;
-use super::measures::worst;
+use super::measures::{STRAIN_FREE, ratio, worst};
 use super::scan::largest;
 use super::workspace::{StateSolution, Workspace, size};
 use peristat_assembly::condition::Row;
@@ -132,6 +132,28 @@ impl<const D: usize> Workspace<D> {
         constraints.restrict(&mut self.residual);
         let next_correction = self.correct_strains(system, preconditioner, &errors, solution);
         solution.next_correction = worst([solution.next_correction, next_correction]);
+    }
+
+    /// Weighs a solution that may be nothing but rounding, where it and its correction store next to nothing of what the loads
+    /// would store if none of them cancelled another: its error is one of the displacements that they would have then.
+    pub(super) fn weigh_cancelled(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        load: &Load<D>,
+        solution: &mut StateSolution,
+    ) {
+        let energy = solution.stored.as_ref().map_or(f64::INFINITY, |stored| stored.0);
+        load.scatter(&mut self.residual);
+        system.constraints().restrict(&mut self.residual);
+        let scattered = self.pcg.precondition(preconditioner, &self.residual);
+        let work: f64 = scattered.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
+        let left = energy + 0.5 * solution.correction_energy;
+        solution.cancels = left <= STRAIN_FREE * 0.5 * work;
+        if solution.cancels {
+            let far = size(scattered, &self.scales);
+            solution.next_correction *= ratio(size(&solution.u, &self.scales), far);
+        }
     }
 
     /// Forces of constraints from a whole residual: on every constrained unknown, and shares of it, with the opposite

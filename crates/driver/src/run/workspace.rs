@@ -27,6 +27,9 @@ pub(super) struct StateSolution {
     pub(super) u: Vec<f64>,
     /// Energy of the prescribed motions as a sudden jump of the constrained unknowns alone; 0 without such motions.
     pub(super) jump_energy: f64,
+    /// Whether its loads are in balance without any strain, so that rounding alone strains it: forces on what is held, and those of
+    /// strains that need no stress.
+    pub(super) cancels: bool,
     /// Forces of the constraints on the unknowns they hold and on their masters, by number of the unknown.
     pub(super) held: Vec<(usize, f64)>,
     /// Force that holds each equation, in the order of the system's equations.
@@ -66,6 +69,7 @@ impl StateSolution {
         Self {
             u,
             jump_energy: 0.0,
+            cancels: false,
             held: Vec::new(),
             multipliers: Vec::new(),
             residual: Vec::new(),

@@ -1,7 +1,7 @@
 //! What a solution in strains is certified with.
 
-use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen};
-use crate::run::measures::{finite, ratio, worst};
+use crate::run::certificate::{Balance, Certificate, Seen};
+use crate::run::measures::{STRAIN_FREE, finite, ratio, worst};
 use peristat_assembly::model::RigidMotion;
 use peristat_assembly::model::timoshenko_beam::StrainChecks;
 

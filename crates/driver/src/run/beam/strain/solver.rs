@@ -192,6 +192,7 @@ impl<'a> StrainSolver<'a> {
         StateSolution {
             u,
             jump_energy: evidence.jump_energy,
+            cancels: false,
             multipliers: self.constraints.multipliers(force),
             held,
             residual: Vec::new(),
