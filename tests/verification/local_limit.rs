@@ -299,3 +299,47 @@ fn held_edges_take_the_loads_alone() {
     assert!((probe(&solved, "top") / 100.0 - 1.0).abs() < 1e-4, "{}", probe(&solved, "top"));
     assert!((probe(&solved, "middle") / 100.0 - 1.0).abs() < 2e-6);
 }
+
+#[test]
+fn combinations_are_the_sums_of_their_load_cases() {
+    // On seven rows the tension, which is exact, goes on, and the other load stalls.
+    let mut case = strip(7, &json!([]));
+    let tension = json!([
+        { "traction": { "edge": "right", "uniform": [100, 0] } }, { "traction": { "edge": "left", "uniform": [-100, 0] } }]);
+    let bending = cantilever(7)["loads"].clone();
+    let other = tractions_of_transcendental();
+    case["load_cases"] = json!([
+        { "name": "tension", "loads": tension }, { "name": "bending", "loads": bending },
+        { "name": "other", "loads": other }]);
+    case["combinations"] = json!([
+        { "name": "all", "factors": { "tension": 1, "bending": -2, "other": 3 } }]);
+    let solved = solve(&corrected(&case, 4));
+    for field in ["ux", "uy", "stress_xx"] {
+        let [a, b, c, all] =
+            [0, 1, 2, 3].map(|state| solved.field(state, field).expect("a field").into_owned());
+        let size = all.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for p in 0..all.len() {
+            let off = all[p] - (a[p] - 2.0 * b[p] + 3.0 * c[p]);
+            assert!(off.abs() < 1e-8 * size, "{field}: {:e}", off / size);
+        }
+    }
+}
+
+#[test]
+fn rollers_that_meet_free_edges_at_wide_angles_are_refused() {
+    // The left edge moves along itself alone; the other one rises from its end.
+    let refused = |height: f64| {
+        let case = json!({
+            "title": "wedge", "units": "mm-N-MPa",
+            "model": { "bond_plane": { "youngs_modulus": MODULUS, "state": "plane_stress" } },
+            "body": { "outline": { "vertices": [[0, 0], [20, 0], [20, height], [0, 10]], "spacing": 1 } },
+            "supports": [{ "at": { "region": "edge_4" }, "ux": 0 }, { "at": { "x": 0.5, "y": 0.5 }, "uy": 0 }],
+            "loads": [{ "traction": { "edge": "edge_2", "uniform": [1, 0] } }],
+            "limit": "local"
+        });
+        peristat::solve_text(&format!("{case:#}"))
+            .is_err_and(|error| error.to_string().contains("stresses are infinite"))
+    };
+    // 90°, 79° and 117°.
+    assert_eq!([10.0, 6.0, 20.0].map(refused), [false, false, true]);
+}

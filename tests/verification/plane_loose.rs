@@ -68,3 +68,26 @@ fn a_point_on_one_bond_is_named() {
     let said = refusal(&case);
     assert!(said.contains("(19.5, 9.5)") && said.contains("one line"), "{said}");
 }
+
+#[test]
+fn a_ligament_of_one_row_is_a_hinge() {
+    // Bonds along one row turn freely; what completes the border holds the part behind it.
+    let case = |edges: &str, force: Value| {
+        json!({
+            "title": "ligament", "units": "mm-N-MPa",
+            "model": { "bond_plane": { "youngs_modulus": 7e4, "state": "plane_stress", "edges": edges } },
+            "horizon_ratio": 1.5,
+            "body": { "outline": { "spacing": 1, "vertices": [
+                [0, 0], [10, 0], [10, 4], [12, 4], [12, 0], [20, 0], [20, 9], [12, 9], [12, 5], [10, 5], [10, 9], [0, 9]
+            ] } },
+            "supports": [{ "at": { "region": "edge_12" }, "ux": 0, "uy": 0 }],
+            "loads": [{ "traction": { "edge": "edge_6", "uniform": force } }]
+        })
+    };
+    for edges in ["none", "energy", "volume"] {
+        let error = peristat::solve_text(&case(edges, json!([0, 1])).to_string()).expect_err("a mechanism");
+        assert!(error.to_string().contains("the body has a mechanism"), "{edges}: {error}");
+    }
+    let held = peristat::solve_text(&case("border", json!([0, 1])).to_string()).expect("a body that is held");
+    assert!(held.summary.states[0].certificate.converged);
+}

@@ -67,6 +67,13 @@ pub struct Correction {
     in_holes: Vec<(u32, [f64; 2], u32)>,
 }
 
+/// Fits around positions of a body at which its fields are read.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    fits: Fits,
+    at: Vec<(Fitted, [f64; 2])>,
+}
+
 impl Correction {
     /// Of a body on a lattice along the axes with its horizon over the spacing. None without a lattice, and where too little is
     /// known around some place to tell a fit.
@@ -131,28 +138,33 @@ impl Correction {
         smooth
     }
 
-    /// Displacement and stress at positions of the body, m. None where too little is known around one.
-    pub fn at(&self, positions: &[[f64; 2]], state: State) -> Option<Vec<Field>> {
+    /// What reads displacement and stress at positions of the body, m. None where too little is known around one to tell a fit.
+    pub fn reading(&self, positions: Vec<[f64; 2]>) -> Option<Reading> {
         let mut fits = self.fits.clone();
         let places: Vec<[f64; 2]> = positions.iter().map(|at| self.grid.place(*at)).collect();
         let fitted = fits.add(&places, &self.grid, &self.border)?;
+        Some(Reading { fits, at: fitted.into_iter().zip(positions).collect() })
+    }
+
+    /// Displacement and stress at the positions of a reading.
+    pub fn read(&self, reading: &Reading, state: State) -> Vec<Field> {
         let mut found = Vec::new();
         self.without_weight(state, |inner| {
-            let of = |(at, position): (&Fitted, &[f64; 2])| {
+            let of = |(at, position): &(Fitted, [f64; 2])| {
                 if let Some(fit) =
                     HoleZone::at(&self.holes, *position).and_then(|k| state.holes.get(k as usize))
                 {
                     return fit.at(*position);
                 }
                 let (mut field, own) =
-                    (self.field(&fits, at, inner), self.weight.field(state.weight, *position));
+                    (self.field(&reading.fits, at, inner), self.weight.field(state.weight, *position));
                 (0..2).for_each(|k| field.displacement[k] += own.displacement[k]);
                 (0..3).for_each(|k| field.stress[k] += own.stress[k]);
                 field
             };
-            found = fitted.par_iter().zip(positions).with_min_len(64).map(of).collect();
+            found = reading.at.par_iter().with_min_len(64).map(of).collect();
         });
-        Some(found)
+        found
     }
 
     /// The polynomials of a fit in its centre.

@@ -17,6 +17,7 @@ mod kept_inverse;
 mod linear;
 mod load;
 mod measures;
+mod mechanism;
 mod memory;
 mod method;
 mod multigrid;

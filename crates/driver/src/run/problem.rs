@@ -67,12 +67,17 @@ pub trait Problem<const D: usize> {
         None
     }
 
-    /// What displacements of a state become that are corrected by their residual in equilibrium; `solve` finds the displacement of a
-    /// load, in `D` planes, without prescribed motions. None where they stay as they are.
+    /// Whether displacements are corrected.
+    fn is_corrected(&self) -> bool {
+        false
+    }
+
+    /// What displacements of a state become that are corrected by their residual in equilibrium, at most so many times; `solve` finds
+    /// the displacement of a load, in `D` planes, without prescribed motions. None where they stay as they are.
     fn corrected(
         &self,
         _state: usize,
-        _u: &[f64],
+        _from: (&[f64], usize),
         _solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
     ) -> Option<(Vec<f64>, Corrections)> {
         None

@@ -1,9 +1,11 @@
 //! Solving every right-hand side of a prepared problem.
 
 use super::certificate::{self, Certificate, FEW_DIGITS};
+use super::corrections::correct;
 use super::error::RunError;
 use super::linear::LinearSolver;
 use super::load::Load;
+use super::mechanism;
 use super::method;
 use super::prepare;
 use super::problem::Problem;
@@ -34,21 +36,27 @@ pub(super) fn certified<const D: usize>(
     (solution, certificate)
 }
 
-/// Corrects the solution of a state, where the problem has corrections.
-fn correct<const D: usize>(
+/// The same, with a factor where a cycle leaves too few digits.
+///
+/// # Errors
+/// A body that the load moves without resistance.
+fn settled<const D: usize>(
     problem: &dyn Problem<D>,
     system: &System<D>,
     solver: &mut LinearSolver<D>,
-    state: usize,
-    solution: &mut StateSolution,
+    load: (&[f64], f64),
     timing: &mut Timing,
-) {
-    let begin = Instant::now();
-    let corrected = problem.corrected(state, &solution.u, &mut |load| solver.correction(system, load));
-    if let Some((u, corrections)) = corrected {
-        (solution.u, solution.corrections) = (u, Some(corrections));
+) -> Result<(StateSolution, Certificate), RunError> {
+    let (mut solution, mut certificate) = certified(problem, system, solver, load, timing);
+    let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
+    if is_poor && !solver.has_factor() && method::can_fall_back(problem) {
+        solver.fall_back(problem, system, timing)?;
+        (solution, certificate) = certified(problem, system, solver, load, timing);
     }
-    timing.solve += begin.elapsed().as_secs_f64();
+    if !certificate.converged {
+        mechanism::refuse(problem, system, &solution, &certificate)?;
+    }
+    Ok((solution, certificate))
 }
 
 /// Whether there is to be a next state after one was taken.
@@ -87,7 +95,7 @@ pub(super) fn solve_states_by<'a, const D: usize>(
     };
     let mut load = vec![0.0; system.size()];
     let mut evaluations = 0;
-    let (mut converged, mut last, mut record_time, mut is_interrupted) = (true, None, 0.0, false);
+    let (mut converged, mut kept, mut record_time, mut is_interrupted) = (true, Vec::new(), 0.0, false);
     let mut record = |solved: SolvedState| {
         let begin = Instant::now();
         let goes_on = goes_on(take(solved));
@@ -99,31 +107,28 @@ pub(super) fn solve_states_by<'a, const D: usize>(
         let factor = problem.add_load(state, &mut load);
         let moved = prepare::moved(problem, system, state)?;
         let (system, motion_factor) = moved.as_ref().map_or((system, factor), |moved| (moved, 1.0));
-        let (mut solution, mut certificate) =
-            certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
-        let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
-        if is_poor && !solver.has_factor() && method::can_fall_back(problem) {
-            solver.fall_back(problem, system, &mut timing)?;
-            (solution, certificate) =
-                certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
-        }
+        let (solution, certificate) =
+            settled(problem, system, &mut solver, (&load, motion_factor), &mut timing)?;
         converged &= certificate.converged;
-        if certificate.converged {
-            correct(problem, system, &mut solver, state, &mut solution, &mut timing);
-        }
         evaluations += moved.as_ref().map_or(0, System::evaluations);
-        if state + 1 == problem.states() {
-            last = Some((state, solution, certificate));
+        if problem.is_corrected() || state + 1 == problem.states() {
+            kept.push((state, solution, certificate));
         } else if !record(SolvedState { state, load: &load, solution, certificate })? {
             is_interrupted = true;
             break;
         }
     }
-    // The factor and the levels are the largest things in memory: the last state is recorded without them.
+    correct(problem, system, &mut solver, &mut kept, &mut timing);
+    // The factor and the levels are the largest things in memory: what is left is recorded without them.
     let (report, mut counters) = solver.into_reports();
     drop(coarser);
-    if let Some((state, solution, certificate)) = last {
-        record(SolvedState { state, load: &load, solution, certificate })?;
+    for (state, solution, certificate) in kept {
+        load.fill(0.0);
+        problem.add_load(state, &mut load);
+        if !record(SolvedState { state, load: &load, solution, certificate })? {
+            is_interrupted = true;
+            break;
+        }
     }
     timing.record += record_time;
     counters.bond_evaluations = evaluations + system.evaluations();

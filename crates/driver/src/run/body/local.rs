@@ -10,7 +10,7 @@ use crate::run::{Corrections, RunError, scan};
 use crate::scene::body::{BodyProbe, BodyScene, BodyState, HoleRing, LocalLimit, Quantity};
 use nalgebra::{DMatrix, DVector};
 use peristat_assembly::body::Outline;
-use peristat_assembly::correction::{Bounds, Correction, Fitting, HoleZone, State};
+use peristat_assembly::correction::{Bounds, Correction, Fitting, HoleZone, Reading, State};
 use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::recovery::hole::{Field, HoleFit};
 
@@ -18,6 +18,8 @@ use peristat_assembly::recovery::hole::{Field, HoleFit};
 const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
 /// A correction is not taken whose energy norm is a larger part of the one before it.
 const STALLED: f64 = 0.5;
+/// Corrections below this part of the displacements are rounding, which neither falls nor does harm.
+const ROUNDING: f64 = 1e-10;
 /// Singular values of the rigid motions that supports hold below this part of the largest are zero.
 const NONE: f64 = 1e-9;
 
@@ -29,6 +31,10 @@ pub(super) struct Local<'a> {
     correction: Correction,
     /// Around the holes that have fields of their own.
     rings: Vec<HoleRing>,
+    /// Places of the probes that have one, then, where stresses are recovered, the points of the body.
+    places: Vec<Option<[f64; 2]>>,
+    points: Vec<usize>,
+    read: Reading,
 }
 
 /// What is known of a state beside its displacements.
@@ -45,18 +51,28 @@ impl Around {
 }
 
 impl<'a> Local<'a> {
-    /// Of a scene that asks for it.
+    /// Of a scene that asks for it, with or without the stresses of all points.
     ///
     /// # Errors
     /// A body that is too thin somewhere to tell a fit.
-    pub(super) fn of(scene: &'a BodyScene) -> Result<Option<Self>, RunError> {
+    pub(super) fn of(scene: &'a BodyScene, recover: bool) -> Result<Option<Self>, RunError> {
         let Some((limit, model, outline)) = parts(scene) else { return Ok(None) };
         let ratio = scene.material().about().horizon_ratio;
         let rings = HoleRing::of(scene).into_iter().filter_map(|ring| Some((ring.zone()?, ring)));
         let (holes, rings): (Vec<HoleZone>, Vec<HoleRing>) = rings.unzip();
         let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes };
-        match Correction::new(model, bounds, ratio, FITTING) {
-            Some(correction) => Ok(Some(Self { scene, limit, correction, rings })),
+        let places = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();
+        let points: Vec<usize> = if recover { scene.real_points().collect() } else { Vec::new() };
+        let made = Correction::new(model, bounds, ratio, FITTING).and_then(|correction| {
+            let places: &Vec<Option<[f64; 2]>> = &places;
+            let of_points = points.iter().map(|point| scene.model.place(*point));
+            let read = correction.reading(places.iter().flatten().copied().chain(of_points).collect())?;
+            Some((correction, read))
+        });
+        match made {
+            Some((correction, read)) => {
+                Ok(Some(Self { scene, limit, correction, rings, places, points, read }))
+            }
             None => {
                 let mut faults = Faults::default();
                 faults
@@ -70,24 +86,25 @@ impl<'a> Local<'a> {
         }
     }
 
-    /// Corrected displacements of a state, and how it went.
+    /// Displacements of a state after so many corrections at most, and how it went; none where nothing moves around a hole.
     pub(super) fn corrected(
         &self,
         state: usize,
-        u: &[f64],
+        (u, most): (&[f64], usize),
         solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
-    ) -> (Vec<f64>, Corrections) {
+    ) -> Option<(Vec<f64>, Corrections)> {
         let state = &self.scene.states[state];
         let points = self.scene.model.points();
         let mut done = Corrections { sizes: Vec::new(), stalled: false };
         let (mut u, mut before) = (u.to_vec(), f64::INFINITY);
-        for _ in 0..self.limit.corrections {
-            let Some(around) = self.around(state, &u) else { break };
+        for _ in 0..self.limit.corrections.min(most) {
+            let around = self.around(state, &u)?;
             let now = around.state(&u, points);
             let residual = self.correction.residual(now);
             let step = solve(&residual);
             let norm = step.iter().zip(&residual).map(|(d, r)| d * r).sum::<f64>().max(0.0).sqrt();
-            if norm > STALLED * before {
+            let is_rounding = scan::largest(&step) <= ROUNDING * scan::largest(&u);
+            if norm > STALLED * before && !is_rounding {
                 done.stalled = true;
                 break;
             }
@@ -99,7 +116,7 @@ impl<'a> Local<'a> {
         }
         self.move_back(state, &mut u);
         fill_images(self.scene, &mut u);
-        (u, done)
+        Some((u, done))
     }
 
     /// What is known of a state with some displacements; none where nothing moves around a hole.
@@ -117,18 +134,10 @@ impl<'a> Local<'a> {
         let (scene, n) = (self.scene, self.scene.model.points());
         let Some(around) = self.around(&scene.states[result.record.index], &result.record.u) else { return };
         let now = around.state(&result.record.u, n);
-        let asked = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y]));
-        let asked: Vec<Option<[f64; 2]>> = asked.collect();
-        let points: Vec<usize> = match result.recovered {
-            Some(_) => scene.real_points().collect(),
-            None => Vec::new(),
-        };
-        let places = points.iter().map(|point| scene.model.place(*point));
-        let places: Vec<[f64; 2]> = asked.iter().flatten().copied().chain(places).collect();
-        let mut found = self.correction.at(&places, now).unwrap_or_default().into_iter();
-        result.probed = asked.iter().map(|at| at.and_then(|_| found.next())).collect();
+        let mut found = self.correction.read(&self.read, now).into_iter();
+        result.probed = self.places.iter().map(|at| at.and_then(|_| found.next())).collect();
         let Some(recovered) = &mut result.recovered else { return };
-        for (point, Field { stress: [xx, yy, xy], .. }) in points.into_iter().zip(found) {
+        for (&point, Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(found) {
             (0..3).for_each(|k| recovered.stress[k][point] = [xx, yy, xy][k]);
             let stress = [xx, yy, xy, 0.0, 0.0, 0.0];
             let across = scene.model.across_of(stress);

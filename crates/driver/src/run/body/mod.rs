@@ -58,7 +58,7 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    let local = Local::of(scene)?;
+    let local = Local::of(scene, recover)?;
     with_body!(&scene.model, body => {
         let mut problem = BodyProblem::new(scene, body.clone());
         problem.local = local;

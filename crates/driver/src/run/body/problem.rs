@@ -79,13 +79,17 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         Some(of.equations(&|p| self.scene.model.position(p)).iter().map(|equation| equation.value).collect())
     }
 
+    fn is_corrected(&self) -> bool {
+        self.local.is_some()
+    }
+
     fn corrected(
         &self,
         state: usize,
-        u: &[f64],
+        from: (&[f64], usize),
         solve: &mut dyn FnMut(&[f64]) -> Vec<f64>,
     ) -> Option<(Vec<f64>, Corrections)> {
-        Some(self.local.as_ref()?.corrected(state, u, solve))
+        self.local.as_ref()?.corrected(state, from, solve)
     }
 
     fn breaks(&self) -> bool {
