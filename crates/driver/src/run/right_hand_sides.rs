@@ -1,7 +1,7 @@
 //! Solving every right-hand side of a prepared problem.
 
 use super::certificate::{self, Certificate, FEW_DIGITS};
-use super::corrections::correct;
+use super::corrections::Corrections;
 use super::error::RunError;
 use super::linear::LinearSolver;
 use super::load::Load;
@@ -57,6 +57,34 @@ fn settled<const D: usize>(
         mechanism::refuse(problem, system, &solution, &certificate)?;
     }
     Ok((solution, certificate))
+}
+
+/// Corrects the solutions of states that converged, where the problem has corrections: all as often as the one that stalls first, so that
+/// a combination of load cases is the sum of these.
+fn correct<const D: usize>(
+    problem: &dyn Problem<D>,
+    system: &System<D>,
+    solver: &mut LinearSolver<D>,
+    states: &mut [(usize, StateSolution, Certificate)],
+    timing: &mut Timing,
+) {
+    let begin = Instant::now();
+    let mut of = |state: usize, u: &[f64], most: usize| {
+        problem.corrected(state, (u, most), &mut |load| solver.correction(system, load))
+    };
+    let mut found: Vec<Option<(Vec<f64>, Corrections)>> = Vec::new();
+    for (state, solution, certificate) in &*states {
+        let corrected = certificate.converged.then(|| of(*state, &solution.u, usize::MAX)).flatten();
+        found.push(corrected);
+    }
+    let most = found.iter().flatten().map(|(_, done)| done.sizes.len()).min().unwrap_or_default();
+    for ((state, solution, _), found) in states.iter_mut().zip(found) {
+        let Some((u, done)) = found else { continue };
+        let again = (done.sizes.len() > most).then(|| of(*state, &solution.u, most)).flatten();
+        let (u, done) = again.unwrap_or((u, done));
+        (solution.u, solution.corrections) = (u, Some(done));
+    }
+    timing.solve += begin.elapsed().as_secs_f64();
 }
 
 /// Whether there is to be a next state after one was taken.
