@@ -3,7 +3,7 @@
 use crate::support::breaking::{fact, growing, imbalance, solve};
 use crate::support::mixed::{parameters, plate};
 use peristat_assembly::body::SquareLattice;
-use peristat_assembly::model::bond_plane::{critical_stretch, interface_factor};
+use peristat_assembly::model::bond_plane::{critical_stretch, crossing_bonds};
 use peristat_assembly::model::plane::{CriticalStretch, Edges};
 use peristat_assembly::model::{Breakable, Points};
 use serde_json::{Value, json};
@@ -48,13 +48,13 @@ fn bonds_across_an_interface_take_its_energy() {
     // Of the soft side 1.32, 2.14, 2.55 times by the prototype at m = 3, so that the stretch is 0.87, 0.684, 0.63 of that inside.
     for (contrast, expected) in [(2.0, 0.870), (10.0, 0.684), (100.0, 0.626)] {
         let of = parameters(3.0, Edges::Border);
-        let factor = interface_factor(&of, [1.0, contrast]).unwrap();
+        let factor = crossing_bonds(&of).unwrap().factor([1.0, contrast]);
         assert!((1.0 / factor.sqrt() - expected).abs() < 1e-3, "{contrast}: {factor}");
     }
     for (contrast, ratio) in [(1.0, 3.0), (2.0, 3.0), (10.0, 2.0), (10.0, 3.0), (10.0, 4.0), (0.01, 3.0)] {
         let of = parameters(ratio, Edges::Border);
         let inside = critical_stretch(1.0, &of, 1.0).unwrap();
-        let s = inside / interface_factor(&of, [1.0, contrast]).unwrap().sqrt();
+        let s = inside / crossing_bonds(&of).unwrap().factor([1.0, contrast]).sqrt();
         let found = crossing_energy(contrast, ratio) * s * s;
         assert!((found - 1.0).abs() < 1e-12, "{contrast} {ratio}: {found}");
     }

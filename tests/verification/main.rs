@@ -34,6 +34,7 @@ mod foundation;
 mod fracture_plane;
 mod frames;
 mod graded;
+mod graded_fracture;
 mod grading;
 mod griffith;
 mod heat;

@@ -8,6 +8,7 @@ use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, Outline, SquareLattice};
 use peristat_assembly::law::Bilinear;
+use peristat_assembly::model::plane::toughness::CrossingBonds;
 use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges, Mirrors, has_border};
 use peristat_assembly::stiffness::Kinematics;
 use std::f64::consts::TAU;
@@ -213,9 +214,8 @@ pub trait Material: Debug + Send + Sync {
         faults: &mut Faults,
     ) -> Option<CriticalStretches>;
 
-    /// How many times the energy of one in the base material a crack along the interface of two others takes, at the same stretch of
-    /// its bonds; `moduli` are those of the two over that of the base. None where bodies of several materials do not break.
-    fn interface_factor(&self, _moduli: [f64; 2]) -> Option<f64> {
+    /// The bonds that a crack along an interface between rows cuts; none where bodies of several materials do not break.
+    fn crossing_bonds(&self) -> Option<CrossingBonds> {
         None
     }
 

@@ -6,7 +6,7 @@ use crate::model::{MaterialSummary, OtherMaterial, Surface};
 use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
 use crate::run::{CheckResult, Corrections, ProbeResult, scan};
 use crate::scene::body::BodyScene;
-use peristat_assembly::model::plane::{Calibration, Edges};
+use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges};
 use serde::{Deserialize, Serialize};
 
 /// Forces of what holds a body in the plane.
@@ -83,32 +83,32 @@ pub struct RegionSummary {
     pub points: usize,
     /// Young's modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub youngs_modulus: Option<ModulusSummary>,
+    pub youngs_modulus: Option<ValueSummary>,
     /// Poisson's ratio, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub poisson_ratio: Option<f64>,
     /// Shear modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub shear_modulus: Option<ModulusSummary>,
+    pub shear_modulus: Option<ValueSummary>,
     /// Critical stretch of its bonds, where they break.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub critical_stretch: Option<f64>,
-    /// That of the bonds between it and the base material.
+    pub critical_stretch: Option<ValueSummary>,
+    /// That of the bonds between it and the base material, where there is some of that.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub interface_stretch: Option<f64>,
+    pub interface_stretch: Option<ValueSummary>,
 }
 
-/// A modulus of the points of a material.
+/// What the points of a material have.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum ModulusSummary {
+pub enum ValueSummary {
     /// Of all of them.
     One(f64),
     /// The least and the greatest one.
     Between([f64; 2]),
 }
 
-impl From<[f64; 2]> for ModulusSummary {
+impl From<[f64; 2]> for ValueSummary {
     fn from([least, greatest]: [f64; 2]) -> Self {
         if least == greatest { Self::One(least) } else { Self::Between([least, greatest]) }
     }
@@ -182,9 +182,14 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
 /// The materials of regions, with their points.
 fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
     let mixture = scene.materials();
-    let stretch = |between: [u32; 2]| {
-        let critical = &scene.fracture.as_ref()?.steps.critical;
-        Some(critical.by_offset().first()? * critical.ratio_between(between))
+    let critical = scene.fracture.as_ref().map(|fracture| &fracture.steps.critical);
+    let youngs = scene.material().youngs_moduli().first().map_or(1.0, |(_, base)| *base);
+    let has_base = mixture.numbers.contains(&0);
+    // Bonds of a stiffer point break at a smaller stretch.
+    let stretches = |other: &OtherMaterial, of: &dyn Fn(&CriticalStretch, f64) -> f64| {
+        let [least, greatest] = other.youngs_modulus.unwrap_or([youngs; 2]).map(|e| e / youngs);
+        let (critical, base) = (critical?, critical?.by_offset().first()?);
+        Some(ValueSummary::from([greatest, least].map(|modulus| base * of(critical, modulus))))
     };
     let of = |(other, number): (&OtherMaterial, u32)| RegionSummary {
         name: other.name.clone(),
@@ -193,8 +198,11 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
         youngs_modulus: other.youngs_modulus.map(Into::into),
         poisson_ratio: other.poisson_ratio,
         shear_modulus: other.shear_modulus.map(Into::into),
-        critical_stretch: stretch([number; 2]),
-        interface_stretch: stretch([0, number]),
+        critical_stretch: stretches(other, &|critical, modulus| critical.ratio_within(number, modulus)),
+        interface_stretch: stretches(other, &|critical, modulus| {
+            critical.ratio_between([(0, 1.0), (number, modulus)])
+        })
+        .filter(|_| has_base),
     };
     mixture.others.iter().zip(1..).map(of).collect()
 }

@@ -31,7 +31,7 @@ pub use error::BondPlaneError;
 pub use material::{PlaneMaterial, PlaneState};
 pub use parameters::{Influence, PlaneParameters, VolumeFactor};
 pub use softening::{failure_stretch, yield_stretch};
-pub use toughness::{critical_stretch, growth_stretch, interface_factor, published_critical_stretch};
+pub use toughness::{critical_stretch, crossing_bonds, growth_stretch, published_critical_stretch};
 
 pub(super) use calibration::overlap::cell_in_disc;
 pub(super) use calibration::published::radial_part;

@@ -1,6 +1,6 @@
 //! Critical stretches of central bonds from energy release rates.
 
-use super::super::plane::toughness;
+use super::super::plane::toughness::{self, CrossingBonds};
 use super::neighbourhood::neighbourhood;
 use super::trapping::trapping;
 use super::{BondPlaneError, PlaneParameters, PlaneState};
@@ -35,15 +35,14 @@ pub fn growth_stretch(
     Ok(energy / trapping(parameters.influence, parameters.horizon_ratio))
 }
 
-/// How many times the energy of one in the base material a crack takes along the interface of two others, at the same stretch of the
-/// bonds that it cuts; `moduli` are those of the two over that of the base.
+/// The bonds that a crack along an interface between rows cuts.
 ///
 /// # Errors
 /// As [`super::BondPlane::offsets`].
-pub fn interface_factor(parameters: &PlaneParameters, moduli: [f64; 2]) -> Result<f64, BondPlaneError> {
+pub fn crossing_bonds(parameters: &PlaneParameters) -> Result<CrossingBonds, BondPlaneError> {
     let neighbourhood = neighbourhood(parameters)?;
     let weights: Vec<f64> = neighbourhood.weights.iter().map(|[a]| *a).collect();
-    Ok(toughness::interface_factor(&weights, &neighbourhood.offsets, moduli))
+    Ok(CrossingBonds::new(&weights, &neighbourhood.offsets))
 }
 
 /// The critical stretch of the continuum with the influence function 1, `√(4πG/(9Eδ))` in plane stress and

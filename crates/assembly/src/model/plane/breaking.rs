@@ -85,17 +85,13 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 self.kind.bond.stretch_per_measure(&bond) / critical.by_offset()[k]
             })
             .collect();
-        let path =
-            |k: &usize| Path::of(self.neighbourhood.offsets[*k]).pieces().map(|piece| piece.0).collect();
-        let paths: Vec<Vec<Cell>> =
+        let path = |k: &usize| Path::of(self.neighbourhood.offsets[*k]).pieces().collect();
+        let paths: Vec<Vec<(Cell, f64)>> =
             if critical.has_materials() { offsets.iter().map(path).collect() } else { Vec::new() };
         self.bonds.for_each_measured(u, |index, lower, s| {
             let ratio = ratios[index] * s[0];
             if ratio > 0.0 {
-                let further = paths.get(index).map_or(1.0, |path| {
-                    let first = self.lattice.cell(lower);
-                    critical.ratio(path.iter().filter_map(|step| self.lattice.number(plus(first, *step))))
-                });
+                let further = paths.get(index).map_or(1.0, |path| self.further(critical, lower, path));
                 visit((offsets[index] * points + lower) as u64, ratio / further);
             }
         });
@@ -104,9 +100,21 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             let body = (&*self.lattice, &self.neighbourhood, &self.kind.bond);
             border.for_each_ratio(body, (u, critical.by_offset()), &mut |k, ratio| {
                 let bond = whole + k as u64;
-                visit(bond, ratio / critical.ratio(self.ends(bond)));
+                let further = critical.ratio(self.ends(bond), || border.kinds[k].factor);
+                visit(bond, ratio / further);
             });
         }
+    }
+
+    /// How many times further a bond from a point along a path stretches until it breaks than one of the base material.
+    fn further(&self, critical: &CriticalStretch, lower: usize, path: &[(Cell, f64)]) -> f64 {
+        let first = self.lattice.cell(lower);
+        let passed = || path.iter().map(|&(step, part)| (plus(first, step), part));
+        let modulus = || {
+            let body = (&*self.lattice, &self.mirrors);
+            self.mixture().map_or(1.0, |mixture| mixture.through(body, passed()).factor)
+        };
+        critical.ratio(passed().filter_map(|(cell, _)| self.lattice.number(cell)), modulus)
     }
 
     /// Indices of the offsets among those that have bonds.

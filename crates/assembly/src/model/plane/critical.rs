@@ -1,20 +1,86 @@
 //! At which stretches the bonds of a body in the plane break.
 
-/// Critical stretches of bonds: by the offset of a bond, and in bodies of several materials by those of its ends.
+use super::toughness::CrossingBonds;
+
+/// Critical stretches of bonds: by the offset of a bond, and in bodies of several materials by what it passes.
 ///
 /// A bond fails in tension alone: where its stretch, the elongation over its length, reaches the critical one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CriticalStretch {
     by_offset: Vec<f64>,
-    materials: Option<Materials>,
+    materials: Option<ToughMaterials>,
 }
 
-/// The materials of points, and how many times further than in the first one bonds between them stretch.
+/// How tough a material or an interface is, against the base material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Toughness {
+    /// Its bonds break at so many times the stretch, whatever their modulus.
+    Stretch(f64),
+    /// A crack takes so many times the energy, whatever the modulus.
+    Energy(f64),
+}
+
+impl Toughness {
+    /// How many times the energy a crack takes where bonds have a modulus over that of the base material.
+    fn energy(self, modulus: f64) -> f64 {
+        match self {
+            Self::Stretch(ratio) => ratio * ratio * modulus,
+            Self::Energy(energy) => energy,
+        }
+    }
+
+    /// How many times the stretch bonds of that modulus break at.
+    fn ratio(self, modulus: f64) -> f64 {
+        match self {
+            Self::Stretch(ratio) => ratio,
+            Self::Energy(energy) => (energy / modulus).sqrt(),
+        }
+    }
+}
+
+/// The materials of points, and how tough they and their interfaces are.
 #[derive(Clone, Debug, PartialEq)]
-struct Materials {
-    numbers: Vec<u32>,
-    count: usize,
-    ratios: Vec<f64>,
+pub struct ToughMaterials {
+    /// Numbers of the materials of points.
+    pub numbers: Vec<u32>,
+    /// Moduli of points over that of the base material.
+    pub moduli: Vec<f64>,
+    /// By number of a material.
+    pub own: Vec<Toughness>,
+    /// The same: what its interfaces are given. That of two materials is as tough as the weaker of what both are given, and where
+    /// nothing is, a crack takes the energy of the weaker material.
+    pub interfaces: Vec<Option<Toughness>>,
+    /// The bonds that a crack along an interface cuts.
+    pub crossing: CrossingBonds,
+}
+
+impl ToughMaterials {
+    /// How many times the stretch of the base material the bonds between points of two materials break at, the moduli of these
+    /// beside their interface being given.
+    fn between(&self, [(a, first), (b, second)]: [(u32, f64); 2]) -> f64 {
+        let [a, b] = [a as usize, b as usize];
+        let modulus = self.crossing.factor([first, second]);
+        let given = [a, b].into_iter().filter_map(|side| self.interfaces[side]);
+        let given = given.map(|own| own.ratio(modulus)).reduce(f64::min);
+        let weaker = || self.own[a].energy(first).min(self.own[b].energy(second));
+        given.unwrap_or_else(|| Toughness::Energy(weaker()).ratio(modulus))
+    }
+
+    /// The same of a bond through points, from one of its ends to the other; within a material by its `modulus`.
+    fn along(&self, points: impl IntoIterator<Item = usize>, modulus: impl FnOnce() -> f64) -> f64 {
+        let mut passed = points.into_iter().map(|point| (self.numbers[point], self.moduli[point]));
+        let Some(first) = passed.next() else { return 1.0 };
+        let (mut last, mut weakest) = (first, None::<f64>);
+        for next in passed {
+            if next.0 != last.0 {
+                let interface = self.between([last, next]);
+                let own = if last.0 == first.0 { interface } else { self.own[last.0 as usize].ratio(last.1) };
+                weakest = Some(weakest.unwrap_or(interface).min(interface).min(own));
+            }
+            last = next;
+        }
+        weakest.unwrap_or_else(|| self.own[first.0 as usize].ratio(modulus()))
+    }
 }
 
 impl CriticalStretch {
@@ -23,17 +89,18 @@ impl CriticalStretch {
         Self { by_offset, materials: None }
     }
 
-    /// That of a body whose points are of several materials, by their numbers. `ratios` has a row and a column per material: how many
-    /// times further bonds between points of both stretch than those of [`Self::new`].
+    /// That of a body of several materials, of which the first one has those of [`Self::new`].
     ///
     /// # Panics
-    /// The table is not square, or a number is beyond it.
+    /// There is not one modulus per point, or not one toughness and interface for every material.
     #[must_use]
-    pub fn of_materials(self, numbers: Vec<u32>, ratios: Vec<Vec<f64>>) -> Self {
-        let count = ratios.len();
-        assert!(ratios.iter().all(|row| row.len() == count), "a ratio for every pair");
-        assert!(numbers.iter().all(|number| (*number as usize) < count), "a row for every material");
-        Self { materials: Some(Materials { numbers, count, ratios: ratios.concat() }), ..self }
+    pub fn of_materials(self, materials: ToughMaterials) -> Self {
+        let ToughMaterials { numbers, moduli, own, interfaces, .. } = &materials;
+        let count = own.len();
+        assert!(numbers.len() == moduli.len(), "a modulus for every point");
+        assert!(numbers.iter().all(|number| (*number as usize) < count), "a toughness for every material");
+        assert!(interfaces.len() == count, "an interface for every material, given or not");
+        Self { materials: Some(materials), ..self }
     }
 
     /// Whether the materials of points matter.
@@ -46,53 +113,74 @@ impl CriticalStretch {
         &self.by_offset
     }
 
-    /// How many times further bonds between points of two materials stretch than those of [`Self::by_offset`].
-    pub fn ratio_between(&self, [a, b]: [u32; 2]) -> f64 {
-        self.materials.as_ref().map_or(1.0, |of| of.ratios[a as usize * of.count + b as usize])
+    /// How many times further bonds of a material stretch than those of [`Self::by_offset`], at a modulus over that of the base
+    /// material.
+    pub fn ratio_within(&self, number: u32, modulus: f64) -> f64 {
+        self.materials.as_ref().map_or(1.0, |of| of.own[number as usize].ratio(modulus))
+    }
+
+    /// The same of bonds between two materials, whose moduli are given.
+    pub fn ratio_between(&self, sides: [(u32, f64); 2]) -> f64 {
+        self.materials.as_ref().map_or(1.0, |of| of.between(sides))
     }
 
     /// How many times further a bond along some points, from one of its ends to the other, stretches than one of its offset: as the
-    /// weakest interface that it passes, and the weakest material that it passes through from one side to the other, have it.
-    pub(in super::super) fn ratio(&self, along: impl IntoIterator<Item = usize>) -> f64 {
-        let Some(Materials { numbers, .. }) = &self.materials else { return 1.0 };
-        let mut passed = along.into_iter().map(|point| numbers[point]);
-        let Some(first) = passed.next() else { return 1.0 };
-        let (mut last, mut weakest) = (first, None::<f64>);
-        for number in passed {
-            if number != last {
-                let interface = self.ratio_between([last, number]);
-                let own = if last == first { interface } else { self.ratio_between([last; 2]) };
-                weakest = Some(weakest.unwrap_or(interface).min(interface).min(own));
-                last = number;
-            }
-        }
-        weakest.unwrap_or_else(|| self.ratio_between([first; 2]))
+    /// weakest interface that it passes, and the weakest material that it passes through from one side to the other, have it; within a
+    /// material by its `modulus` over that of the base material.
+    pub(in super::super) fn ratio(
+        &self,
+        along: impl IntoIterator<Item = usize>,
+        modulus: impl FnOnce() -> f64,
+    ) -> f64 {
+        self.materials.as_ref().map_or(1.0, |of| of.along(along, modulus))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Toughness::{Energy, Stretch};
+
+    fn of(
+        moduli: [f64; 3],
+        own: [Toughness; 3],
+        interfaces: [Option<Toughness>; 3],
+    ) -> CriticalStretch {
+        let crossing = CrossingBonds::new(&[1.0], &[[0, 1, 0]]);
+        let (numbers, moduli, own) = (vec![0, 1, 2], moduli.to_vec(), own.to_vec());
+        let interfaces = interfaces.to_vec();
+        CriticalStretch::new(vec![1.0])
+            .of_materials(ToughMaterials { numbers, moduli, own, interfaces, crossing })
+    }
 
     #[test]
     fn bonds_are_as_weak_as_what_they_pass() {
         // Points 0 of the first material, 1 of glue, 2 of a third one; both are weak, and so is the interface of the glue.
-        let ratios = vec![vec![1.0, 0.3, 0.9], vec![0.3, 0.2, 0.4], vec![0.9, 0.4, 0.8]];
-        let critical = CriticalStretch::new(vec![1.0]).of_materials(vec![0, 1, 2], ratios);
+        let own = [Stretch(1.0), Stretch(0.2), Stretch(0.9)];
+        let critical = of([1.0; 3], own, [None, Some(Stretch(0.3)), Some(Stretch(0.95))]);
         let rows: [(&[usize], f64); 7] = [
             (&[0, 0], 1.0),
             (&[1, 1, 1], 0.2),
             (&[0, 0, 1], 0.3),
-            (&[2, 0], 0.9),
+            (&[2, 0], 0.95),
             (&[0, 1, 0], 0.2),
-            (&[0, 2, 0], 0.8),
+            (&[0, 2, 0], 0.9),
             (&[0, 1, 2], 0.2),
         ];
         for (along, expected) in rows {
             let back = along.iter().rev().copied();
-            assert_eq!(critical.ratio(along.iter().copied()), expected, "{along:?}");
-            assert_eq!(critical.ratio(back), expected, "{along:?}");
+            assert_eq!(critical.ratio(along.iter().copied(), || 1.0), expected, "{along:?}");
+            assert_eq!(critical.ratio(back, || 1.0), expected, "{along:?}");
         }
-        assert_eq!(CriticalStretch::new(vec![1.0]).ratio([0, 1]), 1.0);
+        assert_eq!(CriticalStretch::new(vec![1.0]).ratio([0, 1], || 1.0), 1.0);
+    }
+
+    #[test]
+    fn a_crack_takes_its_energy_at_any_modulus() {
+        // In series 1/(0.5/4 + 0.5/2) = 8/3; the weaker energy is 2.
+        let critical = of([1.0, 4.0, 2.0], [Energy(1.0), Energy(3.0), Stretch(1.0)], [None; 3]);
+        assert!((critical.ratio([1, 1], || 12.0) - 0.5).abs() < 1e-15);
+        assert!((critical.ratio([1, 2], || 0.0) - (2.0 / (8.0 / 3.0_f64)).sqrt()).abs() < 1e-15);
+        assert_eq!(critical.ratio([2, 2], || 7.0), 1.0);
     }
 }

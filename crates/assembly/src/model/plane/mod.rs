@@ -26,7 +26,7 @@ mod uneven;
 
 pub use apart::thin_points;
 pub use bond::{LatticeBond, PlaneBond};
-pub use critical::CriticalStretch;
+pub use critical::{CriticalStretch, ToughMaterials, Toughness};
 pub use edges::{BorderShares, FARTHEST, has_border};
 pub use fields::PlaneFields;
 pub use mirrors::Mirrors;

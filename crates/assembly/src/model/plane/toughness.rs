@@ -34,21 +34,41 @@ pub fn critical_stretch(
     if sum > 0.0 { (2.0 * release_rate / sum).sqrt() } else { 0.0 }
 }
 
-/// How many times the energy of one in the base material a crack between rows takes along the interface of two others, at the same
-/// stretch of the bonds that it cuts: `Σ f a |ξ·n|/Σ a |ξ·n|`, with the modulus f of a bond through both, in series but no more than
-/// their mean, wherever along it the interface is. `moduli` are those of the two over that of the base.
-pub fn interface_factor(weights: &[f64], offsets: &[Cell], [first, second]: [f64; 2]) -> f64 {
-    let (mut mixed, mut base) = (0.0, 0.0);
-    for (weight, step) in weights.iter().zip(offsets) {
-        let rows = step[1].unsigned_abs();
-        for row in 0..rows {
-            let part = (f64::from(row) + 0.5) / f64::from(rows);
-            let series = 1.0 / (part / first + (1.0 - part) / second);
-            mixed += weight * series.min(0.5 * (first + second));
-            base += weight;
+/// The bonds that a crack between rows of a lattice cuts, by the rows that they pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrossingBonds {
+    /// Sums of weights, of bonds that pass one row, two, and so on.
+    weights: Vec<f64>,
+}
+
+impl CrossingBonds {
+    /// Those of half `offsets` with their `weights`.
+    pub fn new(weights: &[f64], offsets: &[Cell]) -> Self {
+        let most = offsets.iter().map(|step| step[1].unsigned_abs() as usize).max().unwrap_or(0);
+        let mut by_rows = vec![0.0; most];
+        for (weight, step) in weights.iter().zip(offsets).filter(|(_, step)| step[1] != 0) {
+            by_rows[step[1].unsigned_abs() as usize - 1] += weight;
         }
+        Self { weights: by_rows }
     }
-    if base > 0.0 { mixed / base } else { 1.0 }
+
+    /// How many times the energy of one in the base material a crack takes along the interface of two others, at the same stretch of
+    /// the bonds that it cuts: `Σ f a |ξ·n|/Σ a |ξ·n|`, with the modulus f of a bond through both, in series but no more than their
+    /// mean, wherever along it the interface is. `moduli` are those of the two over that of the base.
+    pub fn factor(&self, [first, second]: [f64; 2]) -> f64 {
+        let (mut mixed, mut base) = (0.0, 0.0);
+        for (rows, weight) in (1..).zip(&self.weights) {
+            let rows = f64::from(rows);
+            let mut part = 0.5 / rows;
+            while part < 1.0 {
+                let series = 1.0 / (part / first + (1.0 - part) / second);
+                mixed += weight * series.min(0.5 * (first + second));
+                base += weight;
+                part += 1.0 / rows;
+            }
+        }
+        if base > 0.0 { mixed / base } else { 1.0 }
+    }
 }
 
 /// Critical stretch `s = √(4πG/(9Eδ))` of the continuum of central bonds in plane stress, with `G` in J/m², `E` in Pa, δ in m.

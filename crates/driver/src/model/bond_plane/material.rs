@@ -9,7 +9,8 @@ use super::{Central, Plane, critical, soften, words};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::Cell;
-use peristat_assembly::model::bond_plane::{BondPlane, PlaneState, VolumeFactor, interface_factor};
+use peristat_assembly::model::bond_plane::{BondPlane, PlaneState, VolumeFactor, crossing_bonds};
+use peristat_assembly::model::plane::toughness::CrossingBonds;
 use peristat_assembly::model::plane::{Calibration, Edges};
 use std::sync::Arc;
 
@@ -112,8 +113,8 @@ impl Material for Central {
         Some(CriticalStretches::alike(stretch, self.offsets().ok().as_deref()))
     }
 
-    fn interface_factor(&self, moduli: [f64; 2]) -> Option<f64> {
-        interface_factor(&self.parameters, moduli).ok()
+    fn crossing_bonds(&self) -> Option<CrossingBonds> {
+        crossing_bonds(&self.parameters).ok()
     }
 
     fn soften(&self, on: &OnGround, faults: &mut Faults) -> Option<SofteningBonds> {

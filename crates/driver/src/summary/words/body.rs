@@ -3,7 +3,7 @@
 use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
 use crate::run::body::{BodyReaction, MirrorReaction};
-use crate::summary::{BodyForces, BodySummary, Forces, ModulusSummary, StateSummary};
+use crate::summary::{BodyForces, BodySummary, Forces, ValueSummary, StateSummary};
 use peristat_assembly::model::plane::Edges;
 
 /// Model, material, horizon and edges.
@@ -13,18 +13,16 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
     for other in &m.materials {
         let s = if other.points == 1 { "" } else { "s" };
         let own = [("E", other.youngs_modulus), ("G", other.shear_modulus)].into_iter();
-        let stress = |value: ModulusSummary| match value {
-            ModulusSummary::One(value) => units.quantity(&number(value), units.stress()),
-            ModulusSummary::Between([least, greatest]) => {
-                units.quantity(&format!("{} to {}", number(least), number(greatest)), units.stress())
-            }
+        let text = |value: ValueSummary| match value {
+            ValueSummary::One(value) => number(value),
+            ValueSummary::Between([least, greatest]) => format!("{} to {}", number(least), number(greatest)),
         };
+        let stress = |value: ValueSummary| units.quantity(&text(value), units.stress());
         let mut own: String =
             own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
         own.extend(other.poisson_ratio.map(|nu| format!(", ν = {}", number(nu))));
-        own.extend(other.critical_stretch.zip(other.interface_stretch).map(|(own, interface)| {
-            format!(", breaks at a stretch of {}, its interface at {}", number(own), number(interface))
-        }));
+        own.extend(other.critical_stretch.map(|own| format!(", breaks at a stretch of {}", text(own))));
+        own.extend(other.interface_stretch.map(|own| format!(", its interface at {}", text(own))));
         line("material", format!("{}, {}: {} point{s}{own}", other.number, other.name, other.points));
     }
     let length = |value: f64| units.quantity(&number(value), units.length());

@@ -139,7 +139,7 @@ fn numbers(ground: &Ground, points: usize, faults: &mut Faults) -> Vec<u32> {
 /// Adds a fault for every key beside `materials` that knows one material alone.
 fn refuse_beside(ground: &Ground, inputs: &ModelInputs, faults: &mut Faults) {
     let case = ground.case;
-    let breaks = inputs.material.interface_factor([1.0; 2]).is_some();
+    let breaks = inputs.material.crossing_bonds().is_some();
     let keys = [
         (
             "fracture",

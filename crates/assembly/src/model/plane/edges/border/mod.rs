@@ -51,6 +51,8 @@ pub(in super::super::super) struct PartOfBond {
     pub(in super::super::super) of: [Option<(u32, f64)>; 3],
     /// The two points that have the largest parts in the relative displacement of its ends, one on either side.
     pub(in super::super::super) foremost: [u32; 2],
+    /// Its modulus over that of the base material.
+    pub(in super::super::super) factor: f64,
 }
 
 /// Reach of bonds, rows or columns, up to which they end on the border: their number grows with its third power.
@@ -94,19 +96,20 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
         };
         let (whole, share) = (geometry(lattice, neighbourhood.offsets[offset]), run.share());
         let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
-        let mut unit = bond.part_moduli(&whole, share);
+        let unit = bond.part_moduli(&whole, share);
+        let mut factor = 1.0;
         if let Some(mixture) = mixture {
             let through = mixture.through((lattice, mirrors), run.cells());
-            unit = unit.map(|modulus| through.factor * modulus);
+            factor = through.factor;
             let own = run.ends_of(mirrors).into_iter().zip(through.lacks).filter(|own| own.1 > 0.0);
             lacks.extend(own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, offset, share * lack))));
         }
-        let moduli = std::array::from_fn(|m| part * neighbourhood.weights[offset][m] * unit[m]);
+        let moduli = std::array::from_fn(|m| part * neighbourhood.weights[offset][m] * factor * unit[m]);
         // Only rotations are read on the mean.
         let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
         let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
         let of = [run.point(&nodes.cells).map(|point| (point, share)), None, None];
-        kinds.push(PartOfBond { offset: offset as u32, share, of, foremost });
+        kinds.push(PartOfBond { offset: offset as u32, share, of, foremost, factor });
     });
     let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });
     Completion { by, gaps, lost: lost.len(), strains: None, lacks }

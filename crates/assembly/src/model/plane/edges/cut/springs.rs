@@ -43,12 +43,12 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
             let whole = geometry(lattice, step);
             let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
             let unit = bond.part_moduli(&whole, share);
-            let stiff = mixture.map_or(1.0, |mixture| stiffness(corners, mixture, cells, step));
-            let moduli = from_fn(|m| stiff * left / share * neighbourhood.weights[offset][m] * unit[m]);
+            let factor = mixture.map_or(1.0, |mixture| stiffness(corners, mixture, cells, step));
+            let moduli = from_fn(|m| factor * left / share * neighbourhood.weights[offset][m] * unit[m]);
             let ends = [-0.5, 0.5]
                 .map(|half| place(&cells, &places, [0, 1].map(|c| half * share * f64::from(step[c]))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });
-            kinds.push(PartOfBond { offset: offset as u32, share, of: [None; 3], foremost });
+            kinds.push(PartOfBond { offset: offset as u32, share, of: [None; 3], foremost, factor });
             at.push((cells, path, left));
         }
     }
