@@ -20,9 +20,9 @@ fn cut(modulus: fn([f64; 2]) -> f64, ratio: f64) -> f64 {
         moduli: (0..n).map(|p| body.factor(p)).collect(),
         own: vec![Toughness::Energy(1.0)],
         interfaces: vec![None],
-        crossing: crossing_bonds(&of).unwrap(),
+        crossing: crossing_bonds(&of).expect("the bonds exist"),
     };
-    let stretch = critical_stretch(1.0, &of, 1.0).unwrap();
+    let stretch = critical_stretch(1.0, &of, 1.0).expect("the bonds exist");
     let critical = CriticalStretch::new(vec![stretch; 64]).of_materials(materials);
     let at = |p: usize| body.position(p);
     let u: Vec<f64> = (0..2 * n).map(|k| if k < n { 0.0 } else { 1e-3 * at(k - n)[1] }).collect();
@@ -40,8 +40,11 @@ fn cut(modulus: fn([f64; 2]) -> f64, ratio: f64) -> f64 {
 
 #[test]
 fn a_cut_takes_its_energy_at_any_modulus() {
-    let moduli: [fn([f64; 2]) -> f64; 3] = [|_| 1.0, |[x, _]| (x / 8.0).exp(), |[x, y]| 1.0 + x + y * y / 10.0];
-    for (modulus, ratio) in moduli.into_iter().flat_map(|modulus| [(modulus, 2.0), (modulus, 3.0), (modulus, 4.0)]) {
+    let moduli: [fn([f64; 2]) -> f64; 3] =
+        [|_| 1.0, |[x, _]| (x / 8.0).exp(), |[x, y]| 1.0 + x + y * y / 10.0];
+    for (modulus, ratio) in
+        moduli.into_iter().flat_map(|modulus| [(modulus, 2.0), (modulus, 3.0), (modulus, 4.0)])
+    {
         let found = cut(modulus, ratio);
         // 2e-14 at most.
         assert!((found - 1.0).abs() < 1e-12, "{ratio}: {found}");
@@ -49,7 +52,7 @@ fn a_cut_takes_its_energy_at_any_modulus() {
 }
 
 /// Stress over that of the strain 0.01 in the base material at which a bar between smooth walls first breaks, where no bond breaks
-/// within four spacings of its ends and its middle.
+/// within four spacings of its ends and eight of its middle.
 fn first_break(materials: &Value, critical: &Value) -> f64 {
     let walls = |edge: &str| json!({ "at": { "region": edge }, "uy": 0 });
     let across = |from: f64, to: f64| json!({ "box": { "from": [from, -1], "to": [to, 13] } });
@@ -57,7 +60,7 @@ fn first_break(materials: &Value, critical: &Value) -> f64 {
         "title": "bar", "units": "mm-N-MPa",
         "model": { "bond_plane": { "youngs_modulus": 1000, "state": "plane_stress" } },
         "body": { "rectangle": { "size": [40, 12], "spacing": 1 } },
-        "regions": { "far half": across(20.0, 41.0), "middle": across(16.0, 24.0), "left end": across(-1.0, 4.0),
+        "regions": { "far half": across(20.0, 41.0), "middle": across(12.0, 28.0), "left end": across(-1.0, 4.0),
             "right end": across(36.0, 41.0) },
         "materials": materials,
         "supports": [ { "at": { "region": "left" }, "ux": 0 }, { "at": { "region": "right" }, "ux": 1 },
@@ -92,7 +95,8 @@ fn a_graded_bar_breaks_where_it_is_softest() {
     assert!((found - 1.0).abs() < 2e-3, "{found}");
     // By stretch the stress is s E.
     let stretch = json!({ "stretch": 0.01 });
-    let found = first_break(&json!({ "graded": { "youngs_modulus": "1000*(1 + x/40)" } }), &stretch) / (1.0 + 5.0 / 40.0);
+    let found = first_break(&json!({ "graded": { "youngs_modulus": "1000*(1 + x/40)" } }), &stretch)
+        / (1.0 + 5.0 / 40.0);
     assert!((found - 1.0).abs() < 2e-3, "{found}");
 }
 
@@ -140,6 +144,11 @@ fn energies_of_graded_bodies_balance_on_any_border() {
             "fracture": { "critical": { "energy_release_rate": 0.3 }, "strategy": strategy, "load": "pull", "max_solves": 80 }
         });
         let (events, _) = solve(&case);
-        assert!(imbalance(&events) < most && events.len() > 30, "{strategy}: {} {:e}", events.len(), imbalance(&events));
+        assert!(
+            imbalance(&events) < most && events.len() > 30,
+            "{strategy}: {} {:e}",
+            events.len(),
+            imbalance(&events)
+        );
     }
 }

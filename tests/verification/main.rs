@@ -38,6 +38,7 @@ mod graded_fracture;
 mod grading;
 mod griffith;
 mod heat;
+mod heat_fracture;
 mod held_borders;
 mod hole_stress;
 mod inclusions;

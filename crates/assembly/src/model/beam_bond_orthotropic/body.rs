@@ -162,6 +162,10 @@ impl PlaneModel for BeamBondOrthotropic {
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
         self.body.add_strain_work(t, points, force);
     }
+
+    fn energy_at_rest(&self, t: &[f64]) -> Option<f64> {
+        Some(self.body.energy_at_rest(t))
+    }
 }
 
 impl Points for BeamBondOrthotropic {

@@ -54,4 +54,11 @@ impl PlaneModel for BondPlane {
             }
         }
     }
+
+    fn energy_at_rest(&self, t: &[f64]) -> Option<f64> {
+        match &self.body {
+            Body::Lattice(body) => Some(body.energy_at_rest(t)),
+            Body::Cloud(_) => None,
+        }
+    }
 }

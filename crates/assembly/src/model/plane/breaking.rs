@@ -88,8 +88,10 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let path = |k: &usize| Path::of(self.neighbourhood.offsets[*k]).pieces().collect();
         let paths: Vec<Vec<(Cell, f64)>> =
             if critical.has_materials() { offsets.iter().map(path).collect() } else { Vec::new() };
-        self.bonds.for_each_measured(u, |index, lower, s| {
-            let ratio = ratios[index] * s[0];
+        let free = critical.free().map(|t| self.free_bonds(t));
+        self.bonds.for_each_measured(u, |index, ends, s| {
+            let (lower, own) = (ends[0], free.as_ref().map_or(0.0, |free| free.measures(index, ends)[0]));
+            let ratio = ratios[index] * (s[0] - own);
             if ratio > 0.0 {
                 let further = paths.get(index).map_or(1.0, |path| self.further(critical, lower, path));
                 visit((offsets[index] * points + lower) as u64, ratio / further);
@@ -98,7 +100,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         if let Some(border) = self.border.bonds() {
             let whole = self.whole_bonds() as u64;
             let body = (&*self.lattice, &self.neighbourhood, &self.kind.bond);
-            border.for_each_ratio(body, (u, critical.by_offset()), &mut |k, ratio| {
+            border.for_each_ratio(body, (u, critical.by_offset(), critical.free()), &mut |k, ratio| {
                 let bond = whole + k as u64;
                 let further = critical.ratio(self.ends(bond), || border.kinds[k].factor);
                 visit(bond, ratio / further);

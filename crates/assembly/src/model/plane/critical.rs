@@ -4,11 +4,13 @@ use super::toughness::CrossingBonds;
 
 /// Critical stretches of bonds: by the offset of a bond, and in bodies of several materials by what it passes.
 ///
-/// A bond fails in tension alone: where its stretch, the elongation over its length, reaches the critical one.
+/// A bond fails in tension alone: where its stretch, the elongation over its length beyond that at which it is free of force, reaches
+/// the critical one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CriticalStretch {
     by_offset: Vec<f64>,
     materials: Option<ToughMaterials>,
+    free: Option<Vec<f64>>,
 }
 
 /// How tough a material or an interface is, against the base material.
@@ -86,7 +88,7 @@ impl ToughMaterials {
 impl CriticalStretch {
     /// One per offset, infinite where none break; of a cloud there is one.
     pub fn new(by_offset: Vec<f64>) -> Self {
-        Self { by_offset, materials: None }
+        Self { by_offset, materials: None, free: None }
     }
 
     /// That of a body of several materials, of which the first one has those of [`Self::new`].
@@ -101,6 +103,17 @@ impl CriticalStretch {
         assert!(numbers.iter().all(|number| (*number as usize) < count), "a toughness for every material");
         assert!(interfaces.len() == count, "an interface for every material, given or not");
         Self { materials: Some(materials), ..self }
+    }
+
+    /// The same of a body whose points stretch by strains without stress, three planes, at the unit load.
+    #[must_use]
+    pub fn beyond(self, free: Vec<f64>) -> Self {
+        Self { free: Some(free), ..self }
+    }
+
+    /// Strains of the points that need no stress, where there are any.
+    pub fn free(&self) -> Option<&[f64]> {
+        self.free.as_deref()
     }
 
     /// Whether the materials of points matter.
@@ -141,16 +154,17 @@ mod tests {
     use super::*;
     use Toughness::{Energy, Stretch};
 
-    fn of(
-        moduli: [f64; 3],
-        own: [Toughness; 3],
-        interfaces: [Option<Toughness>; 3],
-    ) -> CriticalStretch {
+    fn of(moduli: [f64; 3], own: [Toughness; 3], interfaces: [Option<Toughness>; 3]) -> CriticalStretch {
         let crossing = CrossingBonds::new(&[1.0], &[[0, 1, 0]]);
         let (numbers, moduli, own) = (vec![0, 1, 2], moduli.to_vec(), own.to_vec());
         let interfaces = interfaces.to_vec();
-        CriticalStretch::new(vec![1.0])
-            .of_materials(ToughMaterials { numbers, moduli, own, interfaces, crossing })
+        CriticalStretch::new(vec![1.0]).of_materials(ToughMaterials {
+            numbers,
+            moduli,
+            own,
+            interfaces,
+            crossing,
+        })
     }
 
     #[test]

@@ -181,7 +181,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     }
 
     /// `½ Uᵀ scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.
-    fn virial_shares(&self, scale: f64) -> Vec<Mat<3, M>> {
+    pub(super) fn virial_shares(&self, scale: f64) -> Vec<Mat<3, M>> {
         let of = |k: usize| {
             let uniform =
                 self.kind.bond.in_uniform_state(&geometry(&self.lattice, self.neighbourhood.offsets[k]));

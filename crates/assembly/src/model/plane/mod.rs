@@ -10,6 +10,7 @@ mod damage;
 mod edges;
 mod exceptions;
 mod fields;
+mod free;
 mod interface;
 mod mirrors;
 mod mixture;
@@ -152,6 +153,13 @@ pub trait PlaneModel: BodyModel {
     /// `points` are those where t can be other than zero, none for all; images of real points have no part in it, but get
     /// forces from bonds to them.
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]);
+
+    /// Energy of the body where nothing moves and its points would stretch by the strains `t`, three planes, without stress: what
+    /// [`add_strain_work`](Self::add_strain_work) makes of these lacks that of the state. None where its elements are not known to
+    /// be free at such strains.
+    fn energy_at_rest(&self, _t: &[f64]) -> Option<f64> {
+        None
+    }
 
     /// Strains `[ε_xx, ε_yy, γ_xy]` of every point.
     fn strain(&self, stress: &[Vec<f64>; 3]) -> [Vec<f64>; 3] {

@@ -85,6 +85,11 @@ impl UnevenBonds {
         }
     }
 
+    /// Parts of bonds that lower points have beyond half, by index of the offset among those that have bonds, and lower point.
+    pub(super) fn beyond(&self) -> impl Iterator<Item = ((usize, usize), f64)> + '_ {
+        self.list.iter().map(|of| ((of.class as usize, of.points[0] as usize), of.beyond))
+    }
+
     /// Adds to `Q` planes of sums over the bonds of points, and one of their energies, what these have beyond halves of them;
     /// `shares` are those of halves.
     pub(in super::super) fn add_to<const D: usize, const M: usize, const Q: usize, B: BondModel<D, M>>(

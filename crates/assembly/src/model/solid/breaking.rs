@@ -170,7 +170,7 @@ impl SolidBody {
         };
         let per_elongation: Vec<f64> = (0..offsets.len()).map(of_whole).collect();
         let bonded: Vec<usize> = self.law.neighbourhood.bonded().collect();
-        self.bonds.for_each_measured(u, |index, lower, [elongation]| {
+        self.bonds.for_each_measured(u, |index, [lower, _], [elongation]| {
             let k = bonded[index];
             if elongation > 0.0 {
                 visit((k * points + lower) as u64, per_elongation[k] * elongation);

@@ -110,7 +110,7 @@ impl Breakable<2> for StateBased {
         let points = lattice.points();
         let bonded: Vec<usize> = self.body.bonded().collect();
         let is_own = |p: usize| mirrors.is_none() || mirrors.is_real(lattice.cell(p));
-        bonds.for_each_measured(u, |index, lower, [elongation]| {
+        bonds.for_each_measured(u, |index, [lower, _], [elongation]| {
             let k = bonded[index];
             let [a, b, _] = lattice.vector(self.body.families.offsets[k]);
             let ratio = elongation / (a.hypot(b) * critical.by_offset()[k]);

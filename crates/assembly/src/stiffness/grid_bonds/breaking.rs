@@ -9,8 +9,8 @@ use crate::stiffness::planes::planes;
 use std::array::from_fn;
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
-    /// Calls `visit` with every bond: index of its offset, its lower point, and its measures.
-    pub fn for_each_measured(&self, u: &[f64], mut visit: impl FnMut(usize, usize, [f64; M])) {
+    /// Calls `visit` with every bond: index of its offset, its points, the lower one first, and its measures.
+    pub fn for_each_measured(&self, u: &[f64], mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
         let u = planes::<D>(u);
         for chunk in self.chunks.all() {
             for (index, class) in self.classes.iter().enumerate() {
@@ -26,7 +26,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                     }
                     for l in 0..width {
                         if factors.is_none_or(|f| f[k + l] != 0.0) {
-                            visit(index, own + l, from_fn(|m| s[m][l]));
+                            visit(index, [own + l, other + l], from_fn(|m| s[m][l]));
                         }
                     }
                 });

@@ -116,6 +116,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         &self.lattice
     }
 
+    /// Moduli of the bonds of an offset, by its index, that have the factor one.
+    pub fn moduli(&self, offset: usize) -> &[f64; M] {
+        &self.classes[offset].modulus
+    }
+
     /// Calls `visit` with every bond: index of its offset, its points, its factor, which is not zero.
     pub fn for_each_bond(&self, mut visit: impl FnMut(usize, [usize; 2], f64)) {
         for chunk in self.chunks.all() {

@@ -163,15 +163,21 @@ pub(super) fn collect(
     BodyResult {
         hole_fits,
         corrections,
-        ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
+        ..BodyResult::new(
+            (scene, &*scene.model, scene.eigenstrain(state)),
+            record,
+            forces,
+            intensities,
+            recover,
+        )
     }
 }
 
 impl BodyResult {
-    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, the
+    /// The result of a solution with its strains that need no stress, with the forces that hold the equations of the scene and the relations of its model, the
     /// loads, and their resultant as it was asked for.
     pub(super) fn new(
-        (scene, model): (&BodyScene, &dyn BodyModel),
+        (scene, model, eigenstrain): (&BodyScene, &dyn BodyModel, Option<Eigenstrain>),
         mut record: StateRecord,
         (mut multipliers, load, asked): (Vec<f64>, &[f64], Resultant),
         intensities: Vec<f64>,
@@ -182,7 +188,6 @@ impl BodyResult {
             true => (&scene.states[0], record.load_factor),
             false => (&scene.states[record.index], 1.0),
         };
-        let eigenstrain = scene.eigenstrain(state);
         let mut recovered = None;
         if recover || eigenstrain.is_some() {
             recovered = Some(Recovered::new((scene, model), eigenstrain.as_ref(), &record.u));

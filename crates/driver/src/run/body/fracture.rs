@@ -3,7 +3,7 @@
 use super::fields::{BodyResult, parted};
 use super::verdict;
 use crate::run::body::BodyProblem;
-use crate::run::fracture::{BreakingBody, Facts};
+use crate::run::fracture::{BreakingBody, Facts, FreeLoad};
 use crate::run::{Problem, SolvedState, StateRecord, StateResult};
 use crate::scene::Resultant;
 use crate::scene::body::{BodyFracture, Quantity};
@@ -15,6 +15,8 @@ pub(super) struct BreakingPlane<'a, const D: usize> {
     pub(super) problem: BodyProblem<'a, dyn BreakingModel<D>>,
     pub(super) fracture: &'a BodyFracture,
     pub(super) recover: bool,
+    /// Whether points have come off; empty as long as none has.
+    pub(super) off: Vec<bool>,
 }
 
 impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
@@ -34,6 +36,22 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
 
     fn model_mut(&mut self) -> &mut Self::Model {
         &mut *self.problem.model
+    }
+
+    fn free_load(&self) -> Option<FreeLoad> {
+        let plane = self.problem.model.as_plane()?;
+        let mut t = self.fracture.steps.critical.free()?.to_vec();
+        let points = self.problem.model.points();
+        let off = self.off.iter().enumerate().filter(|(_, off)| **off);
+        off.for_each(|(point, _)| (0..3).for_each(|q| t[q * points + point] = 0.0));
+        let energy = plane.energy_at_rest(&t)?;
+        let mut load = vec![0.0; D * points];
+        plane.add_strain_work(&mut t, None, &mut load);
+        Some(FreeLoad { load, energy })
+    }
+
+    fn come_off(&mut self, off: &[bool]) {
+        self.off = off.to_vec();
     }
 
     fn load(&self, u: &[f64], multipliers: &[f64]) -> f64 {
@@ -78,8 +96,10 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
         let (scene, model) = (self.problem.scene, &*self.problem.model);
         let mut asked = Resultant::default();
         asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
+        let eigenstrain = scene.eigenstrain(&scene.states[0]);
+        let eigenstrain = eigenstrain.map(|own| own.times(load_factor).without(&self.off));
         let mut result = BodyResult::new(
-            (scene, model),
+            (scene, model, eigenstrain),
             record,
             (solution.multipliers, load, asked),
             Vec::new(),

@@ -185,7 +185,7 @@ fn break_body<const D: usize>(
     let Some(fracture) = &scene.fracture else { return Err(RunError::NotResumable) };
     let problem = BodyProblem::new(scene, body);
     let prepared = prepare(&problem, options)?;
-    let mut breaking = BreakingPlane { problem, fracture, recover: options.recover };
+    let mut breaking = BreakingPlane { problem, fracture, recover: options.recover, off: Vec::new() };
     let mut report = super::fracture::run(&mut breaking, prepared, resume, sink)?;
     report.skipped = skipped::skipped(scene, &report, options.recover);
     if !report.is_interrupted {

@@ -105,8 +105,13 @@ impl SofteningBody<2> for SofteningPlane<'_> {
         let (scene, model) = (self.problem.scene, &*self.problem.model);
         let mut asked = Resultant::default();
         asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
-        let mut result =
-            BodyResult::new((scene, model), record, (solution.multipliers, load, asked), Vec::new(), false);
+        let mut result = BodyResult::new(
+            (scene, model, None),
+            record,
+            (solution.multipliers, load, asked),
+            Vec::new(),
+            false,
+        );
         if self.recover {
             result.recovered = Some(recovered(model, bonds, answers));
         }

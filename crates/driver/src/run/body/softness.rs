@@ -18,6 +18,10 @@ const TOLD: f64 = 0.01;
 /// what the one is softer than the other. Where a solve fails, nothing is known.
 pub(super) fn tell(scene: &BodyScene, options: &RunOptions, report: &mut RunReport) {
     let Some(elastic) = scene.elastic() else { return };
+    if scene.eigenstrain(&scene.states[0]).is_some() {
+        // What heat does is not stiffness.
+        return;
+    }
     let [own, usual] = [scene, &elastic].map(|scene| Stored::of(scene, options, report));
     let Some(softness) = own.zip(usual).map(|(own, usual)| own.softness(&usual)) else { return };
     if softness.is_nan() || softness <= TOLD {

@@ -7,7 +7,7 @@ use super::islands::Islands;
 use super::ledger::Ledger;
 use super::problem::{BreakingBody, Facts};
 use super::unit::{Outcome, Unit};
-use super::{BreakRestart, Event};
+use super::{BreakRestart, Event, FreeLoad};
 use crate::case::Strategy;
 use peristat_assembly::model::Breakable;
 use peristat_assembly::system::System;
@@ -49,8 +49,14 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let islands = Islands::new(body.problem().model());
         let mut loads = vec![0.0; system.size()];
         body.problem().add_load(0, &mut loads);
+        let free = body.free_load();
         let tolerance = if body.fracture().strategy == Strategy::Worst { FINE } else { COARSE };
-        let unit = Unit::new(body.problem(), &system, loads, tolerance, &mut timing)?;
+        let mut unit = Unit::new(body.problem(), &system, loads, tolerance, &mut timing)?;
+        if let Some(free) = free {
+            // The loads of the problem have it in them.
+            unit.loads.iter_mut().zip(&free.load).for_each(|(all, own)| *all -= own);
+            unit.set_free(Some(free));
+        }
         Ok(Self {
             body,
             system,
@@ -117,8 +123,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         }
     }
 
-    /// Removes bonds, and takes out what comes off with them: it bears no loads any more. Whether there is such.
-    pub(super) fn remove(&mut self, bonds: &[u64]) -> bool {
+    /// Removes bonds, and takes out what comes off with them: it bears no loads any more. Whether there is such, and what strains that
+    /// need no stress did to all that the bonds leave.
+    pub(super) fn remove(&mut self, bonds: &[u64]) -> (bool, Option<FreeLoad>) {
         self.system.change_model(self.body.model_mut(), |model| model.break_bonds(bonds));
         let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
         let u: Vec<f64> = self.unit.u.iter().map(|u| load_factor * u).collect();
@@ -128,7 +135,13 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         for &(unknown, _) in self.islands.frozen() {
             self.loads_gone |= std::mem::take(&mut self.unit.loads[unknown as usize]) != 0.0;
         }
-        found
+        let left = self.body.free_load();
+        if found {
+            self.body.come_off(self.islands.off());
+        }
+        let free = if found { self.body.free_load() } else { left.clone() };
+        self.unit.set_free(free);
+        (found, left)
     }
 
     /// Breaks bonds at the load factor of the last equilibrium, and finds the next one at the unit load.
@@ -138,11 +151,16 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         }
         let gone = self.body.model().part(bonds);
         let (before, ledger, energy) = (self.unit.u.clone(), self.ledger, self.unit.energy);
+        let whole = self.unit.free.clone();
         self.broken.extend(bonds);
-        if self.remove(bonds) {
+        let (came_off, left) = self.remove(bonds);
+        if came_off {
             let mut forces = vec![0.0; self.system.size()];
             self.system.force(&before, &mut forces);
             gone.iter().for_each(|term| term.add_force(&before, &mut forces));
+            if let Some(whole) = &whole {
+                forces.iter_mut().zip(&whole.load).for_each(|(all, own)| *all -= own);
+            }
             let off = self.islands.frozen().iter().map(|&(unknown, _)| unknown as usize);
             self.ledger.come_off(off.map(|k| (forces[k], before[k])));
         }
@@ -158,7 +176,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             self.ledger.load(0.0, energy);
             return Ok(());
         }
-        self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u]);
+        let free =
+            || Some([whole.as_ref()?.less(left.as_ref()?), whole.as_ref()?.less(self.unit.free.as_ref()?)]);
+        self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u], free().as_ref());
         Ok(())
     }
 

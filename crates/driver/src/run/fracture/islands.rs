@@ -33,6 +33,11 @@ impl Islands {
         Self { parts: model.connected().spans().len(), ..Self::default() }
     }
 
+    /// Whether a point has come off, by its number; empty as long as none has.
+    pub(super) fn off(&self) -> &[bool] {
+        &self.off
+    }
+
     /// Number of points that have come off.
     pub(super) fn points(&self) -> usize {
         self.off.iter().filter(|off| **off).count()

@@ -5,7 +5,9 @@
 //! `λ² f·(u₁ − u₀)` of the unit displacements before and after. By reciprocity what this and the strain energy give is
 //! `½ λ² Σ k e₀ e₁` over the measures e of the broken bonds, each mode of them: the energy that is released. A bond had
 //! `½ λ² k e₀²` when it failed; the rest is released by the body at a load that does not follow: it would go into motion.
+//! With strains that need no stress, which grow with the load factor, e is what is beyond these, and the work that of heat, too.
 
+use super::FreeLoad;
 use peristat_assembly::stiffness::Term;
 
 /// Sums since the start.
@@ -20,7 +22,7 @@ pub(super) struct Ledger {
 /// Energies of an equilibrium at the unit load.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct UnitEnergy {
-    /// Work of loads and prescribed motions from zero to the unit load.
+    /// Work of loads, prescribed motions and heat from zero to the unit load.
     pub(super) work: f64,
     /// Strain energy.
     pub(super) stored: f64,
@@ -39,12 +41,13 @@ impl Ledger {
     }
 
     /// What is `gone` was part of the body with the unit displacements `before`, and is not with those `after`, under the
-    /// loads.
+    /// loads. Where strains need no stress, `free` is what these did to the broken bonds, and to all that is gone.
     pub(super) fn lose<const D: usize>(
         &mut self,
         gone: &[Box<dyn Term<D>>],
         loads: &[f64],
         [before, after]: [&[f64]; 2],
+        free: Option<&[FreeLoad; 2]>,
     ) {
         let squared = self.load_factor * self.load_factor;
         let energy = |u: &[f64]| gone.iter().map(|term| term.survey(u).energy).sum::<f64>();
@@ -52,8 +55,10 @@ impl Ledger {
         // motion costs a digit.
         let sum: Vec<f64> = before.iter().zip(after).map(|(a, b)| a + b).collect();
         let difference: Vec<f64> = before.iter().zip(after).map(|(a, b)| a - b).collect();
-        self.released += squared * 0.25 * (energy(&sum) - energy(&difference));
-        self.bond_energy += squared * energy(before);
+        let [of_bonds, of_all] =
+            free.map_or([0.0; 2], |[bonds, all]| [bonds.stored(before), all.product([before, after])]);
+        self.released += squared * (0.25 * (energy(&sum) - energy(&difference)) + of_all);
+        self.bond_energy += squared * (energy(before) + of_bonds);
         let moved: f64 = loads.iter().zip(before.iter().zip(after)).map(|(f, (a, b))| f * (b - a)).sum();
         self.work += squared * moved;
     }

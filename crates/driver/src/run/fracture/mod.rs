@@ -5,6 +5,7 @@ mod choice;
 mod ending;
 mod event;
 mod forecast;
+mod free_load;
 mod islands;
 mod ledger;
 mod problem;
@@ -19,5 +20,6 @@ pub use forecast::{Forecast, forecast};
 pub use problem::Facts;
 pub use report::FractureReport;
 
+pub(super) use free_load::FreeLoad;
 pub(super) use problem::BreakingBody;
 pub(super) use steps::run;

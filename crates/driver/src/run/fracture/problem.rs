@@ -1,7 +1,7 @@
 //! What a run needs of a body that breaks, whatever its model.
 
 use super::super::{Problem, SolvedState, StateResult};
-use super::Event;
+use super::{Event, FreeLoad};
 use crate::case::FRACTURE_FACTS;
 use crate::scene::fracture::FractureScene;
 use peristat_assembly::model::Breakable;
@@ -22,6 +22,14 @@ pub(in super::super) trait BreakingBody<const D: usize> {
 
     /// The model, to break its bonds.
     fn model_mut(&mut self) -> &mut Self::Model;
+
+    /// What strains that need no stress do to the body as it is, at the unit load; none where there are none.
+    fn free_load(&self) -> Option<FreeLoad> {
+        None
+    }
+
+    /// Points have come off, by their numbers: nothing strains them any more.
+    fn come_off(&mut self, _off: &[bool]) {}
 
     /// The load, from unknowns and from the forces that hold the equations.
     fn load(&self, u: &[f64], multipliers: &[f64]) -> f64;

@@ -6,8 +6,8 @@ use super::super::load::Load;
 use super::super::solve_failure::SolveFailure;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
 use super::super::{Counters, Problem, Timing};
-use super::BreakRestart;
 use super::ledger::UnitEnergy;
+use super::{BreakRestart, FreeLoad};
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
 use std::time::Instant;
@@ -27,8 +27,11 @@ pub(super) struct Unit<const D: usize> {
     pub(super) inverse: KeptInverse,
     work: Workspace<D>,
     pub(super) counters: Counters,
-    /// Loads at a load factor of one.
+    /// Loads at a load factor of one, and what strains that need no stress do beside them.
     pub(super) loads: Vec<f64>,
+    pub(super) free: Option<FreeLoad>,
+    /// The sum of both.
+    all: Vec<f64>,
     /// Displacements at a load factor of one.
     pub(super) u: Vec<f64>,
     /// Forces that hold the equations.
@@ -82,6 +85,8 @@ impl<const D: usize> Unit<D> {
             inverse: KeptInverse::new(problem, system, timing, &mut counters)?,
             work: Workspace::new(problem, system),
             counters,
+            free: None,
+            all: loads.clone(),
             loads,
             u: vec![0.0; system.size()],
             multipliers: Vec::new(),
@@ -106,7 +111,7 @@ impl<const D: usize> Unit<D> {
         let begin = Instant::now();
         let mut renewed = false;
         let follow = |unit: &mut Self, iterations: usize| {
-            let vectors = (&unit.loads[..], &mut unit.u[..]);
+            let vectors = (&unit.all[..], &mut unit.u[..]);
             let followed = unit.work.follow(system, &mut unit.inverse, vectors, unit.target, iterations);
             unit.residual = followed.residual;
             unit.iterations += followed.iterations;
@@ -128,7 +133,7 @@ impl<const D: usize> Unit<D> {
                 self.target = 2.0 * self.residual;
                 Outcome::Found
             }
-            false if self.work.yields(system, &mut self.inverse, (&self.loads, &before)) => Outcome::Unborne,
+            false if self.work.yields(system, &mut self.inverse, (&self.all, &before)) => Outcome::Unborne,
             false => Outcome::Lost,
         };
         self.counters.right_hand_sides += 1;
@@ -178,13 +183,29 @@ impl<const D: usize> Unit<D> {
         self.energy = UnitEnergy::default();
     }
 
+    /// Takes the loads as they are now, with what strains that need no stress do to what is left.
+    pub(super) fn set_free(&mut self, free: Option<FreeLoad>) {
+        self.all.clone_from(&self.loads);
+        if let Some(free) = &free {
+            self.all.iter_mut().zip(&free.load).for_each(|(all, own)| *all += own);
+        }
+        self.free = free;
+    }
+
     /// Finds what follows from the displacements.
     fn weigh(&mut self, system: &System<D>) {
-        let (multipliers, held_work) = self.work.hold(system, &self.loads, &self.u);
+        let (multipliers, held_work) = self.work.hold(system, &self.all, &self.u);
         let loads_work: f64 = self.loads.iter().zip(&self.u).map(|(f, u)| f * u).sum();
         self.multipliers = multipliers;
-        self.energy =
-            UnitEnergy { work: 0.5 * (loads_work + held_work), stored: system.survey(&self.u).energy };
+        let zero = vec![0.0; self.u.len()];
+        let [heat, stored] = self
+            .free
+            .as_ref()
+            .map_or([0.0; 2], |free| [free.product([&self.u, &zero]), free.stored(&self.u)]);
+        self.energy = UnitEnergy {
+            work: 0.5 * (loads_work + held_work) + heat,
+            stored: system.survey(&self.u).energy + stored,
+        };
     }
 
     /// Improves displacements at the unit load to what is recorded.
@@ -201,7 +222,7 @@ impl<const D: usize> Unit<D> {
         let mut target = POLISHED * self.jump;
         let mut found = Polished { status: PcgStatus::Converged, least_eigenvalue: 1.0, renewed: false };
         loop {
-            let vectors = (&self.loads[..], &mut *u);
+            let vectors = (&self.all[..], &mut *u);
             let followed = self.work.follow(system, &mut self.inverse, vectors, target, POLISHING);
             self.counters.pcg_iterations += followed.iterations;
             found.least_eigenvalue = followed.least_eigenvalue.min(found.least_eigenvalue);
@@ -236,7 +257,7 @@ impl<const D: usize> Unit<D> {
         timing: &mut Timing,
     ) -> Result<(Vec<f64>, StateSolution, Certificate, bool), SolveFailure> {
         let begin = Instant::now();
-        let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
+        let loads: Vec<f64> = self.all.iter().map(|f| load_factor * f).collect();
         // What is recorded is better than what the next break is found with, and does not change it.
         let mut u = self.u.clone();
         let Polished { status, least_eigenvalue, renewed } = match load_factor > 0.0 {

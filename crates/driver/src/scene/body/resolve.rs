@@ -8,6 +8,7 @@ use super::hold::held_body::HeldBody;
 use super::hold::{bearing_keys, rigid_keys, rigid_mirror, supported, supports};
 use super::limit::LocalLimit;
 use super::load::context::LoadContext;
+use super::load::sums::BodyLoads;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
 use super::read::fields::Says;
@@ -161,7 +162,7 @@ impl BodyScene {
         strengths::check(case, &*inputs.material, faults);
         let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
-        let Failure { fracture, path, facts } = Failure::new(&site, traced, &names, faults);
+        let Failure { fracture, path, facts } = Failure::new((&site, &load_cases), traced, &names, faults);
         let names: Vec<&str> = names.into_iter().chain(facts.iter().map(String::as_str)).collect();
         let number = |p: u32| inputs.number(&*built, p);
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
@@ -273,13 +274,13 @@ struct Failure {
 
 impl Failure {
     fn new(
-        site: &HeldBody,
+        (site, loads): (&HeldBody, &[BodyLoads]),
         (fracture, path): &mut (Option<Fracture>, Option<CasePath>),
         probes: &[&str],
         faults: &mut Faults,
     ) -> Self {
         let case = site.ground.case;
-        let fracture = fracture.as_mut().and_then(|f| fracture::resolve(f, site, probes, faults));
+        let fracture = fracture.as_mut().and_then(|f| fracture::resolve(f, (site, loads), probes, faults));
         let path = path.as_mut().and_then(|p| path::resolve(p, site, probes, faults));
         if case.path.is_none() && case.model.softens() {
             faults

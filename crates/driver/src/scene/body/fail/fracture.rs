@@ -5,6 +5,7 @@ use crate::case::{Case, CrackDirection, FRACTURE_FACTS, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::CriticalStretches;
 use crate::scene::body::hold::held_body::HeldBody;
+use crate::scene::body::load::sums::BodyLoads;
 use crate::scene::fracture::{self, FractureScene};
 use crate::scene::root;
 use peristat_assembly::model::plane::CriticalStretch;
@@ -37,7 +38,7 @@ fn general_facts(fibres: &[bool]) -> Vec<String> {
 /// The fracture of a case, with its defaults filled in.
 pub(crate) fn resolve(
     fracture: &mut Fracture,
-    site: &HeldBody,
+    (site, loads): (&HeldBody, &[BodyLoads]),
     probes: &[&str],
     faults: &mut Faults,
 ) -> Option<BodyFracture> {
@@ -61,7 +62,10 @@ pub(crate) fn resolve(
     let critical =
         site.inputs.material.critical(&mut fracture.critical, &on, &path.key("critical"), faults)?;
     let critical = toughness::of_materials(critical, &fracture.critical, site, faults)?;
-    let CriticalStretches { by_offset: critical, fibres } = critical;
+    let CriticalStretches { by_offset: mut critical, fibres } = critical;
+    if let Some(own) = loads.first().and_then(|loads| loads.eigenstrain.as_ref()) {
+        critical = critical.beyond(own.strains(site.model));
+    }
     if site.model.as_solid().is_some() && !fracture.directions.is_empty() {
         faults
             .error(

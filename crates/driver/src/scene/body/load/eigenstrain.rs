@@ -85,15 +85,17 @@ impl UnitStrain {
 }
 
 impl EigenstrainPart {
+    /// Strains of all points in the plane, three planes.
+    fn strains(&self, model: &dyn BodyModel) -> impl Iterator<Item = f64> {
+        let strain = model.strains_of(self.unit.stress, self.unit.across_stress);
+        strain.into_iter().take(3).flat_map(|e| self.free.iter().map(move |free| free * e))
+    }
+
     fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
         let points: Vec<usize> = (0..self.free.len()).filter(|&p| self.free[p] != 0.0).collect();
         let some = (points.len() < self.free.len()).then_some(&points[..]);
         if let Some(plane) = model.as_plane() {
-            let strain = model.strains_of(self.unit.stress, self.unit.across_stress);
-            let mut t: Vec<f64> = strain[..3]
-                .iter()
-                .flat_map(|e| self.free.iter().map(move |free| factor * free * e))
-                .collect();
+            let mut t: Vec<f64> = self.strains(model).map(|strain| factor * strain).collect();
             plane.add_strain_work(&mut t, some, force);
         } else if let Some(solid) = model.as_solid() {
             let of = |point: usize| factor * self.free[point] * self.unit.stiffness(model, point);
@@ -106,6 +108,15 @@ impl Eigenstrain {
     /// Adds the load times a factor to forces on the unknowns of a model.
     pub(crate) fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
         self.parts.iter().for_each(|part| part.add_to(model, factor, force));
+    }
+
+    /// Strains of all points of a body in the plane, three planes, as its stresses in the plane would have them.
+    pub(crate) fn strains(&self, model: &dyn BodyModel) -> Vec<f64> {
+        let mut sum = vec![0.0; 3 * self.change.len()];
+        for part in &self.parts {
+            sum.iter_mut().zip(part.strains(model)).for_each(|(own, strain)| *own += strain);
+        }
+        sum
     }
 
     /// The load alone, on as many unknowns.
@@ -129,6 +140,15 @@ impl Eigenstrain {
                     self.parts.push(EigenstrainPart { free, unit: part.unit });
                 }
             }
+        }
+        self
+    }
+
+    /// The same without that of some points, by their numbers.
+    pub(crate) fn without(mut self, points: &[bool]) -> Self {
+        for part in &mut self.parts {
+            let off = part.free.iter_mut().zip(points).filter(|(_, off)| **off);
+            off.for_each(|(free, _)| *free = 0.0);
         }
         self
     }
@@ -163,10 +183,15 @@ pub(super) fn is_borne(name: &str, context: &LoadContext, path: &JsonPath, fault
             format!("joined sides take `{name}` where edges are completed only"),
             "leave `edges` and `calibration` out",
         )
-    } else if case.is_traced() {
+    } else if case.path.is_some() {
         (
-            format!("bodies that break or soften have no `{name}`"),
-            "find the stresses of the body with its cracks, without `fracture` and `path`",
+            format!("bodies that soften have no `{name}`"),
+            "find the stresses of the body with its cracks, without `path`",
+        )
+    } else if case.fracture.is_some() && !breaks_with_it(context) {
+        (
+            format!("of bodies that break only lattices of bonds in the plane take a `{name}`"),
+            "find the stresses of the body with its cracks, without `fracture`",
         )
     } else if differ_in_contraction(context) {
         (
@@ -180,6 +205,13 @@ pub(super) fn is_borne(name: &str, context: &LoadContext, path: &JsonPath, fault
     };
     faults.error(path.clone(), message).hint(hint);
     false
+}
+
+/// Whether the elements of the body are known to be free at such strains; a body that cannot be made has other faults.
+fn breaks_with_it(context: &LoadContext) -> bool {
+    let Some(model) = context.model else { return true };
+    let nothing = vec![0.0; 3 * model.points()];
+    model.as_plane().is_some_and(|plane| plane.energy_at_rest(&nothing).is_some())
 }
 
 /// Adds doubts about the strains of the load `name` at some points of the body, and a fault where these vary in a material whose points

@@ -143,17 +143,18 @@ pub(in super::super::super) fn for_each_part<const M: usize>(
 }
 
 impl<const D: usize, const M: usize> BorderBonds<D, M> {
-    /// Calls `visit` with every bond and the ratio of its stretch to the critical one, where that is positive. `critical` are
-    /// the critical stretches of whole bonds by offset. A run has a part of a bond, and a crack that opens it takes the energy
-    /// of a whole one.
+    /// Calls `visit` with every bond and the ratio of its stretch, beyond that at which it is free, to the critical one, where that is
+    /// positive. `critical` are the critical stretches of whole bonds by offset, `t` strains that need no stress, three planes, where
+    /// there are any. A run has a part of a bond, and a crack that opens it takes the energy of a whole one.
     pub(in super::super) fn for_each_ratio<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
-        (lattice, neighbourhood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
-        (u, critical): (&[f64], &[f64]),
+        body: (&SquareLattice, &Neighbourhood<M>, &B),
+        (u, critical, t): (&[f64], &[f64], Option<&[f64]>),
         visit: &mut dyn FnMut(usize, f64),
     ) {
+        let (lattice, neighbourhood, bond) = body;
         for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
-            let measure = self.bonds.measures(k, u)[0];
+            let measure = self.bonds.measures(k, u)[0] - t.map_or(0.0, |t| self.free(body, t, k)[0]);
             if measure > 0.0 {
                 let whole = geometry(lattice, neighbourhood.offsets[offset as usize]);
                 let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
@@ -190,23 +191,35 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
     /// Adds the forces that do the work of the bonds in strains `t` of the points, three planes, as far as they move them.
     pub(in super::super) fn add_strain_work<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
-        (lattice, neighbourhood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
+        body: (&SquareLattice, &Neighbourhood<M>, &B),
         t: &[f64],
         force: &mut [f64],
     ) {
-        let n = lattice.points();
-        for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
-            let mut strain = [0.0; 3];
-            self.bonds.middle(k).for_each(|(p, s)| (0..3).for_each(|q| strain[q] += s * t[q * n + p]));
-            if strain == [0.0; 3] {
-                continue;
+        for k in 0..self.kinds.len() {
+            let free = self.free(body, t, k);
+            if free != [0.0; M] {
+                let moduli = self.bonds.moduli(k);
+                self.bonds.add_work(k, &std::array::from_fn(|m| moduli[m] * free[m]), force);
             }
-            let whole = geometry(lattice, neighbourhood.offsets[offset as usize]);
-            let uniform: Mat<M, S> = bond.in_uniform_state(&BondGeometry { xi: whole.xi.map(|x| share * x) });
-            let moduli = self.bonds.moduli(k);
-            let sigma =
-                std::array::from_fn(|m| moduli[m] * (0..3).map(|q| uniform[m][q] * strain[q]).sum::<f64>());
-            self.bonds.add_work(k, &sigma, force);
         }
+    }
+
+    /// The measures at which a bond is free, of strains `t` of the points, three planes, as far as they move it.
+    pub(in super::super) fn free<const S: usize, B: LatticeBond<D, M, S>>(
+        &self,
+        (lattice, neighbourhood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
+        t: &[f64],
+        k: usize,
+    ) -> [f64; M] {
+        let n = lattice.points();
+        let mut strain = [0.0; 3];
+        self.bonds.middle(k).for_each(|(p, s)| (0..3).for_each(|q| strain[q] += s * t[q * n + p]));
+        if strain == [0.0; 3] {
+            return [0.0; M];
+        }
+        let PartOfBond { offset, share, .. } = self.kinds[k];
+        let whole = geometry(lattice, neighbourhood.offsets[offset as usize]);
+        let uniform: Mat<M, S> = bond.in_uniform_state(&BondGeometry { xi: whole.xi.map(|x| share * x) });
+        std::array::from_fn(|m| (0..3).map(|q| uniform[m][q] * strain[q]).sum())
     }
 }
