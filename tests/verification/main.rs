@@ -20,6 +20,7 @@ mod cut_edges_breaking;
 mod default_ends;
 mod default_law;
 mod definiteness;
+mod densities;
 mod drawn_outlines;
 mod ductile;
 mod edges_cost;

@@ -95,7 +95,10 @@ impl Library {
             let Some(name) = keys.get("material").and_then(Value::as_str) else { continue };
             let path = root("materials").key(own).key("material");
             let Some(mut material) = self.material(name, path, &mut faults).copied() else { continue };
-            if weighs && material.density.is_some_and(|own| Some(own) != density) {
+            let heavier = material.density.filter(|own| weighs && Some(*own) != density);
+            if !is_frame {
+                give(keys, [("density", heavier)]);
+            } else if heavier.is_some() {
                 let message = format!(
                     "`{name}` has a density of its own, and `gravity` and `spin` know that of the case alone"
                 );

@@ -1,6 +1,6 @@
 //! Materials of regions and of members of frames, as cases write them.
 
-use super::{Modulus, Names};
+use super::{Modulus, Names, Strengths};
 use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,8 @@ pub struct RegionMaterial {
     /// all points of a body that no other one claims.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<Names>,
-    /// Name of a material of the `library`: its moduli and `thermal_expansion`, where none are given here.
+    /// Name of a material of the `library`: its moduli, `thermal_expansion` and, where a body has a weight, `density`, where none are
+    /// given here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub material: Option<String>,
     /// Young's modulus E, > 0. In a body it may vary: by a formula of x, y and z, or as a table.
@@ -37,6 +38,12 @@ pub struct RegionMaterial {
     /// materials that give one for their interface the weaker one counts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interface: Option<Critical>,
+    /// Mass per volume of a region of a body, > 0, for `gravity` and `spin`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub density: Option<f64>,
+    /// Stresses at which a region of a body fails, where they are other than the `strengths` beside `model`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strengths: Option<Strengths>,
     /// Strain per kelvin, for `temperature`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub thermal_expansion: Option<f64>,

@@ -16,6 +16,10 @@ pub struct OtherMaterial {
     pub shear_modulus: Option<[f64; 2]>,
     /// Strain per kelvin.
     pub thermal_expansion: Option<f64>,
+    /// Mass per volume.
+    pub density: Option<f64>,
+    /// Stress at which it yields.
+    pub yield_stress: Option<f64>,
 }
 
 /// The materials of a body.

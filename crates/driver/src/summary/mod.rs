@@ -15,7 +15,7 @@ pub mod words;
 
 pub use crate::model::MaterialSummary;
 pub use beam::{BeamForces, BeamSummary};
-pub use body::{BodyForces, BodySummary, ValueSummary, RegionSummary};
+pub use body::{BodyForces, BodySummary, RegionSummary, ValueSummary};
 pub use collector::Collector;
 pub use estimate::{Estimate, Estimates, Grids};
 pub use extremes::{Extremes, Located};

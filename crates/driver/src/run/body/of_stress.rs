@@ -14,6 +14,8 @@ pub(super) struct Medium<'a> {
     /// Angle of the fibres from x, rad.
     pub(super) fibre_angle: Option<f64>,
     pub(super) strengths: Option<&'a Strengths>,
+    /// Whose points can be of other materials.
+    scene: Option<&'a BodyScene>,
 }
 
 impl<'a> Medium<'a> {
@@ -23,7 +25,14 @@ impl<'a> Medium<'a> {
             model: &*scene.model,
             fibre_angle: scene.material().fibres().map(|fibres| fibres.angle),
             strengths: scene.case.strengths.as_ref(),
+            scene: Some(scene),
         }
+    }
+
+    /// Stress at which the material of a point yields.
+    fn yield_stress(&self, point: usize) -> Option<f64> {
+        let own = self.scene.and_then(|scene| scene.material_of(point)?.yield_stress);
+        own.or(self.strengths?.yield_stress)
     }
 
     /// Stresses in the axes of the fibres.
@@ -115,7 +124,7 @@ pub(super) fn of_stress(
         Origin::HashinMatrix => medium.index(failure::hashin_matrix, stress),
         Origin::Utilisation => match medium.fibre_angle {
             Some(_) => medium.index(failure::utilisation, stress),
-            None => Some(von_mises(&tensor(model, stress, across)) / medium.strengths?.yield_stress?),
+            None => Some(von_mises(&tensor(model, stress, across)) / medium.yield_stress(point)?),
         },
         Origin::Stress("zz") => Some(component(model, "zz").map_or(across, |k| stress[k])),
         Origin::Stress(name) => Some(stress[component(model, name)?]),
@@ -159,7 +168,7 @@ mod tests {
     /// What follows from the stresses in a plane.
     fn of(model: &BondPlane, field: FieldName, [x, y, xy]: [f64; 3]) -> f64 {
         let stress = [x, y, xy, 0.0, 0.0, 0.0];
-        let medium = Medium { model, fibre_angle: None, strengths: None };
+        let medium = Medium { model, fibre_angle: None, strengths: None, scene: None };
         of_stress(field.about().origin, medium, (0, stress), model.across_of(stress)).unwrap()
     }
 

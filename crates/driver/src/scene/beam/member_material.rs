@@ -33,6 +33,16 @@ pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults
                 ),
             }
         }
+        if material.density.is_some() {
+            faults
+                .error(path.key("density"), "`density` is that of all members, beside `model`")
+                .hint("give what a member weighs more or less as a `distributed` load along it");
+        }
+        if material.strengths.is_some() {
+            faults
+                .error(path.key("strengths"), "`strengths` judge the stresses of plates, shells and solids")
+                .hint("put a `limit` on a probe of `stress`");
+        }
         if material.at.is_none() {
             faults
                 .error(path.clone(), "`at` is missing")

@@ -16,7 +16,7 @@ use super::site::cracks::NamedCrack;
 use super::site::model_inputs::ModelInputs;
 use crate::case::{Case, FieldName, Solver, Units};
 use crate::diagnostic::Faults;
-use crate::model::{AnyBody, HeldRegion, Material, Mixture, Refusal, Resolved};
+use crate::model::{AnyBody, HeldRegion, Material, Mixture, OtherMaterial, Refusal, Resolved};
 use crate::scene::expectation::Expectation;
 use crate::scene::files::InputFile;
 use crate::scene::path::PathScene;
@@ -162,6 +162,12 @@ impl BodyScene {
         let cell = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
         let own = self.body().cells()?.number(cell)?;
         Some(self.materials().numbers.get(own).copied().unwrap_or(0))
+    }
+
+    /// The material of a point of the model; none of the base one.
+    pub(crate) fn material_of(&self, point: usize) -> Option<&OtherMaterial> {
+        let number = self.material_number(point)?.checked_sub(1)?;
+        self.materials().others.get(number as usize)
     }
 
     /// The point nearest to a place that is no image.

@@ -3,7 +3,7 @@
 use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
 use crate::run::body::{BodyReaction, MirrorReaction};
-use crate::summary::{BodyForces, BodySummary, Forces, ValueSummary, StateSummary};
+use crate::summary::{BodyForces, BodySummary, Forces, StateSummary, ValueSummary};
 use peristat_assembly::model::plane::Edges;
 
 /// Model, material, horizon and edges.

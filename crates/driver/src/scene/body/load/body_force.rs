@@ -143,7 +143,12 @@ pub(super) fn act(
     let Some(points) = points else { return on_body(value, is_total, context, to) };
     let volume: f64 = points.iter().map(|&p| context.volume(p)).sum();
     let density = if is_total { value.map(|f| f / volume) } else { value };
-    for p in points {
+    on_points(density, &points, context, to);
+}
+
+/// A force per volume on some points.
+pub(super) fn on_points(density: [f64; 3], points: &[u32], context: &LoadContext, to: &mut BodyLoads) {
+    for &p in points {
         let force = density.map(|b| b * context.volume(p));
         resultants::add_force(
             context.material,

@@ -38,6 +38,33 @@ pub(crate) fn gravity(
     }
     let Some(weight) = mass::weight(context.ground.case, load, along, path, faults) else { return };
     body_force::act(weight, false, load.region.as_ref(), context, path, to, faults);
+    for (points, more) in of_others(load.region.as_ref(), context, path, faults) {
+        body_force::on_points(weight.map(|w| more * w), &points, context, to);
+    }
+}
+
+/// Points of a region, or of the body, whose materials have densities of their own, with what these have beyond that of the case over
+/// it.
+fn of_others(
+    region: Option<&String>,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Vec<(Vec<u32>, f64)> {
+    let (case, materials) = (context.ground.case, &context.inputs.materials);
+    let own = |p: u32| materials.of(p as usize)?.density;
+    let points: Vec<u32> = match region {
+        Some(name) => context.ground.region(name, &path.key("region"), faults).unwrap_or_default(),
+        None => (0..context.ground.body.points() as u32).collect(),
+    };
+    let of = |density: f64| {
+        let alike = points.iter().copied().filter(|&p| own(p) == Some(density));
+        Some((alike.collect(), density / case.density? - 1.0))
+    };
+    let mut densities: Vec<f64> = materials.others.iter().filter_map(|other| other.density).collect();
+    densities.sort_by(f64::total_cmp);
+    densities.dedup();
+    densities.into_iter().filter_map(of).collect()
 }
 
 /// The inertia of a body that turns.
@@ -55,6 +82,9 @@ pub(crate) fn spin(
         return;
     }
     let Some(value) = value else { return };
+    for (points, more) in of_others(load.region.as_ref(), context, path, faults) {
+        turn(&points, more * value, (centre, across), context, to);
+    }
     let points = match &load.region {
         Some(name) => match context.ground.region(name, &path.key("region"), faults) {
             Some(points) => points,
@@ -74,11 +104,22 @@ pub(crate) fn spin(
         }
         Some(_) => 1.0,
     };
-    for p in points {
+    turn(&points, value * share, (centre, across), context, to);
+}
+
+/// Adds the inertia of some points that turn about a centre, across some axes; `value` is that per volume and distance.
+fn turn(
+    points: &[u32],
+    value: f64,
+    (centre, across): ([f64; 3], [bool; 3]),
+    context: &LoadContext,
+    to: &mut BodyLoads,
+) {
+    for &p in points {
         let at = context.ground.body.position(p as usize);
-        let scale = value * share * context.volume(p);
+        let scale = value * context.volume(p);
         let force = std::array::from_fn(|k| if across[k] { scale * (at[k] - centre[k]) } else { 0.0 });
-        if !is_revolved {
+        if !context.material.is_revolved() {
             resultants::add_force(context.material, &mut to.asked, force, at);
         }
         to.forces.push((p, force));

@@ -4,7 +4,7 @@ use super::ground::Ground;
 use super::model_inputs::ModelInputs;
 use super::modulus;
 use crate::case::{Modulus, RegionMaterial};
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath, positive, root};
 use crate::input::Folder;
 use crate::memory;
 use crate::model::{Mixture, OtherMaterial, admissible};
@@ -54,6 +54,8 @@ pub(crate) fn mixture(
             poisson_ratio: given.poisson_ratio,
             shear_modulus: None,
             thermal_expansion: given.thermal_expansion,
+            yield_stress: given.strengths.and_then(|own| own.yield_stress),
+            density: given.density.filter(|own| positive(*own, "density", path.key("density"), faults)),
         };
         if let Some((key, base)) = takes.first().copied()
             && let (of, Some(modulus)) = modulus_of(key, given, &mut other)
@@ -147,8 +149,6 @@ fn refuse_beside(ground: &Ground, inputs: &ModelInputs, faults: &mut Faults) {
             "bodies of several materials do not break in this model",
         ),
         ("path", case.path.is_some(), "bonds of several materials do not soften yet"),
-        ("density", case.density.is_some(), "the density is that of one material"),
-        ("strengths", case.strengths.is_some(), "strengths are those of one material"),
         ("stress_intensity", !case.stress_intensity.is_empty(), "stress intensities are of one material"),
     ];
     for (key, _, why) in keys.into_iter().filter(|key| key.1) {
