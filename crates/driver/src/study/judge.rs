@@ -126,6 +126,7 @@ mod tests {
     fn quantity(name: &str, value: f64, state: usize) -> Quantity {
         Quantity {
             name: name.into(),
+            unit: String::new(),
             field: name.into(),
             state,
             value,
