@@ -38,6 +38,26 @@ fn a_bar_that_cools_between_walls_breaks_at_its_stretch() {
 }
 
 #[test]
+fn a_body_that_nothing_lets_move_breaks_at_its_strain() {
+    // Displacements are zero, so that forces and energies are those of the held strain alone: E/(1 − ν²) times 0.002 on 6 mm².
+    let supports = json!([ { "at": { "region": "left" }, "ux": 0 }, { "at": { "region": "right" }, "ux": 0 },
+        { "at": { "region": "bottom" }, "uy": 0 }, { "at": { "region": "top" }, "uy": 0 } ]);
+    for strain in [json!(-0.003), json!({ "formula": "-0.003*(1 + 1e-13*x)" })] {
+        let loads = json!([ { "initial_strain": { "xx": strain } } ]);
+        let body = json!({ "rectangle": { "size": [8, 6], "spacing": 1 } });
+        let mut case = case(&body, &loads, &supports, &fracture(0.002, "worst", 1));
+        case["probes"][0] = json!({ "name": "pull", "at": { "region": "right" }, "field": "reaction_x" });
+        // It asks for convergence.
+        let (events, report) = solve(&case);
+        // Measured: 1e-13.
+        let pairs = [(events[0].load_factor, 2.0 / 3.0), (events[0].load.abs(), 40.5)];
+        assert!(pairs.iter().all(|(found, exact)| (found / exact - 1.0).abs() < 1e-11), "{pairs:?}");
+        let warnings = report.warnings.into_report("case", "").to_string();
+        assert!(!warnings.contains("rounding"), "{warnings}");
+    }
+}
+
+#[test]
 fn a_free_body_does_not_break_where_it_is_warm_everywhere() {
     let supports =
         json!([ { "at": { "x": 0, "y": 0 }, "ux": 0, "uy": 0 }, { "at": { "x": 20, "y": 0 }, "uy": 0 } ]);

@@ -153,9 +153,6 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             }
         }
         self.work.doubt(system, self.way.preconditioner(), load, &mut solution);
-        if solution.next_correction > DOUBTFUL {
-            self.work.weigh_cancelled(system, self.way.preconditioner(), load, &mut solution);
-        }
         let next = solution.next_correction;
         let unknowns = next > DOUBTFUL;
         // Without a strain there is no measure of forces.

@@ -2,6 +2,7 @@
 
 use super::load::Load;
 use super::measures::{STRAIN_FREE, ratio, worst};
+use super::refine::DOUBTFUL;
 use super::scan::largest;
 use super::workspace::{StateSolution, Workspace, size};
 use peristat_assembly::condition::Row;
@@ -16,6 +17,10 @@ pub(super) fn work(forces: &[f64], scales: &[f64]) -> f64 {
 
 /// A multiple of the unknowns whose forces round otherwise, also those of small numbers and powers of two.
 const OTHER: f64 = std::f64::consts::PI;
+
+/// Stored energy over the work of the loads, each by itself, above which a body bears its loads by strains. Where they cancel the
+/// ratio is rounding.
+const BORNE: f64 = 1e-9;
 
 impl<const D: usize> Workspace<D> {
     /// Finds what belongs to the unknowns of a solution: those that depend on others, forces of constraints, the residual,
@@ -132,11 +137,14 @@ impl<const D: usize> Workspace<D> {
         constraints.restrict(&mut self.residual);
         let next_correction = self.correct_strains(system, preconditioner, &errors, solution);
         solution.next_correction = worst([solution.next_correction, next_correction]);
+        if solution.next_correction > DOUBTFUL {
+            self.weigh_cancelled(system, preconditioner, load, solution);
+        }
     }
 
     /// Weighs a solution that may be nothing but rounding, where it and its correction store next to nothing of what the loads
     /// would store if none of them cancelled another: its error is one of the displacements that they would have then.
-    pub(super) fn weigh_cancelled(
+    fn weigh_cancelled(
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
@@ -144,6 +152,11 @@ impl<const D: usize> Workspace<D> {
         solution: &mut StateSolution,
     ) {
         let energy = solution.stored.as_ref().map_or(f64::INFINITY, |stored| stored.0);
+        // What bears its loads stores half of their work, and the loads need not be scattered.
+        let borne: f64 = load.forces.iter().zip(&solution.u).map(|(f, u)| (f * u).abs()).sum();
+        if energy > BORNE * borne {
+            return;
+        }
         load.scatter(&mut self.residual);
         system.constraints().restrict(&mut self.residual);
         let scattered = self.pcg.precondition(preconditioner, &self.residual);

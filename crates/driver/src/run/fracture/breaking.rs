@@ -51,12 +51,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         body.problem().add_load(0, &mut loads);
         let free = body.free_load();
         let tolerance = if body.fracture().strategy == Strategy::Worst { FINE } else { COARSE };
-        let mut unit = Unit::new(body.problem(), &system, loads, tolerance, &mut timing)?;
-        if let Some(free) = free {
-            // The loads of the problem have it in them.
-            unit.loads.iter_mut().zip(&free.load).for_each(|(all, own)| *all -= own);
-            unit.set_free(Some(free));
-        }
+        let unit = Unit::new(body.problem(), &system, (loads, free), tolerance, &mut timing)?;
         Ok(Self {
             body,
             system,

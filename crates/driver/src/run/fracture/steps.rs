@@ -71,8 +71,12 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             residual: self.unit.residual,
         };
         if self.events.is_empty() && self.body.load_is_force() {
-            let moved = u.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
-            self.is_rounding = event.work > 0.0 && event.load.abs() * moved < ROUNDING * event.work;
+            let largest = |of: &[f64]| of.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            // Heat works where nothing moves.
+            self.is_rounding = match &self.unit.free {
+                Some(free) => event.load.abs() < ROUNDING * next.load_factor * largest(&free.load),
+                None => event.work > 0.0 && event.load.abs() * largest(&u) < ROUNDING * event.work,
+            };
         }
         self.events.push(event);
         let ending = self.ending(&event);

@@ -63,7 +63,7 @@ fn a_point_and_a_block_come_off_and_the_old_inverse_finds_the_rest() {
     let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).unwrap();
     let mut timing = Timing::default();
     let loads = vec![0.0; system.size()];
-    let mut unit = Unit::new(&plate, &system, loads, 1e-12, &mut timing).unwrap();
+    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).unwrap();
     assert_eq!(unit.solve(&plate, &system, &mut timing).unwrap(), (Outcome::Found, false));
     let mut islands = Islands::new::<3>(&*plate.model);
 

@@ -4,7 +4,7 @@ use super::super::certificate::{self, Certificate};
 use super::super::kept_inverse::KeptInverse;
 use super::super::load::Load;
 use super::super::solve_failure::SolveFailure;
-use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
+use super::super::workspace::{StateSolution, Workspace, jump, jump_energy, norm};
 use super::super::{Counters, Problem, Timing};
 use super::ledger::UnitEnergy;
 use super::{BreakRestart, FreeLoad};
@@ -67,26 +67,31 @@ pub(super) enum Outcome {
 }
 
 impl<const D: usize> Unit<D> {
-    /// Factors the system, whose `loads` are those at a load factor of one; residuals up to `tolerance` times that of a sudden jump
-    /// will do.
+    /// Factors the system, whose loads at a load factor of one are `all`, those of `free` among them; residuals up to `tolerance` times
+    /// that of a sudden jump will do.
     ///
     /// # Errors
     /// [`SolveFailure`] if there is no factor.
     pub(super) fn new(
         problem: &dyn Problem<D>,
         system: &System<D>,
-        loads: Vec<f64>,
+        (all, free): (Vec<f64>, Option<FreeLoad>),
         tolerance: f64,
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
-        let jump = jump(system, &loads);
+        // Where nothing can move, heat leaves no force but on what holds the body.
+        let jump = jump(system, &all).max(free.as_ref().map_or(0.0, |free| norm(&free.load)));
+        let mut loads = all.clone();
+        if let Some(free) = &free {
+            loads.iter_mut().zip(&free.load).for_each(|(all, own)| *all -= own);
+        }
         let mut counters = Counters::default();
         Ok(Self {
             inverse: KeptInverse::new(problem, system, timing, &mut counters)?,
             work: Workspace::new(problem, system),
             counters,
-            free: None,
-            all: loads.clone(),
+            free,
+            all,
             loads,
             u: vec![0.0; system.size()],
             multipliers: Vec::new(),
