@@ -42,7 +42,7 @@ fn a_body_that_nothing_lets_move_breaks_at_its_strain() {
     // Displacements are zero, so that forces and energies are those of the held strain alone: E/(1 − ν²) times 0.002 on 6 mm².
     let supports = json!([ { "at": { "region": "left" }, "ux": 0 }, { "at": { "region": "right" }, "ux": 0 },
         { "at": { "region": "bottom" }, "uy": 0 }, { "at": { "region": "top" }, "uy": 0 } ]);
-    for strain in [json!(-0.003), json!({ "formula": "-0.003*(1 + 1e-13*x)" })] {
+    for strain in [json!(-0.003), json!("-0.003*(1 + 1e-13*x)")] {
         let loads = json!([ { "initial_strain": { "xx": strain } } ]);
         let body = json!({ "rectangle": { "size": [8, 6], "spacing": 1 } });
         let mut case = case(&body, &loads, &supports, &fracture(0.002, "worst", 1));
