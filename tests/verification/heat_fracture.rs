@@ -49,9 +49,9 @@ fn a_body_that_nothing_lets_move_breaks_at_its_strain() {
         case["probes"][0] = json!({ "name": "pull", "at": { "region": "right" }, "field": "reaction_x" });
         // It asks for convergence.
         let (events, report) = solve(&case);
-        // Measured: 1e-13.
+        // Measured: 0 and 6e-13, as the formula adds 4e-13 in the middle.
         let pairs = [(events[0].load_factor, 2.0 / 3.0), (events[0].load.abs(), 40.5)];
-        assert!(pairs.iter().all(|(found, exact)| (found / exact - 1.0).abs() < 1e-11), "{pairs:?}");
+        assert!(pairs.iter().all(|(found, exact)| (found / exact - 1.0).abs() < 3e-12), "{pairs:?}");
         let warnings = report.warnings.into_report("case", "").to_string();
         assert!(!warnings.contains("rounding"), "{warnings}");
     }

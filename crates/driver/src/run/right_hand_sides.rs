@@ -150,9 +150,12 @@ pub(super) fn solve_states_by<'a, const D: usize>(
     // The factor and the levels are the largest things in memory: what is left is recorded without them.
     let (report, mut counters) = solver.into_reports();
     drop(coarser);
+    let is_alone = kept.len() == 1;
     for (state, solution, certificate) in kept {
-        load.fill(0.0);
-        problem.add_load(state, &mut load);
+        if !is_alone {
+            load.fill(0.0);
+            problem.add_load(state, &mut load);
+        }
         if !record(SolvedState { state, load: &load, solution, certificate })? {
             is_interrupted = true;
             break;

@@ -57,14 +57,12 @@ impl CrossingBonds {
     /// mean, wherever along it the interface is. `moduli` are those of the two over that of the base.
     pub fn factor(&self, [first, second]: [f64; 2]) -> f64 {
         let (mut mixed, mut base) = (0.0, 0.0);
-        for (rows, weight) in (1..).zip(&self.weights) {
-            let rows = f64::from(rows);
-            let mut part = 0.5 / rows;
-            while part < 1.0 {
+        for (rows, weight) in (1_u32..).zip(&self.weights) {
+            for row in 0..rows {
+                let part = (f64::from(row) + 0.5) / f64::from(rows);
                 let series = 1.0 / (part / first + (1.0 - part) / second);
                 mixed += weight * series.min(0.5 * (first + second));
                 base += weight;
-                part += 1.0 / rows;
             }
         }
         if base > 0.0 { mixed / base } else { 1.0 }

@@ -174,8 +174,8 @@ pub(super) fn collect(
 }
 
 impl BodyResult {
-    /// The result of a solution with its strains that need no stress, with the forces that hold the equations of the scene and the relations of its model, the
-    /// loads, and their resultant as it was asked for.
+    /// The result of a solution and its strains that need no stress, with the forces that hold the equations of the scene and the
+    /// relations of its model, the loads, and their resultant as it was asked for.
     pub(super) fn new(
         (scene, model, eigenstrain): (&BodyScene, &dyn BodyModel, Option<Eigenstrain>),
         mut record: StateRecord,

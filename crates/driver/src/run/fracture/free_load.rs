@@ -20,6 +20,11 @@ impl FreeLoad {
         self.energy - 0.5 * work
     }
 
+    /// What its strains do on the way to a state, as a work.
+    pub(super) fn work(&self, u: &[f64]) -> f64 {
+        self.energy - 0.5 * self.load.iter().zip(u).map(|(f, u)| f * u).sum::<f64>()
+    }
+
     /// What it adds to the energy of a state.
     pub(super) fn stored(&self, u: &[f64]) -> f64 {
         self.product([u, u])

@@ -27,8 +27,9 @@ pub(super) struct Unit<const D: usize> {
     pub(super) inverse: KeptInverse,
     work: Workspace<D>,
     pub(super) counters: Counters,
-    /// Loads at a load factor of one, and what strains that need no stress do beside them.
+    /// Loads at a load factor of one.
     pub(super) loads: Vec<f64>,
+    /// What strains that need no stress do beside them.
     pub(super) free: Option<FreeLoad>,
     /// The sum of both.
     all: Vec<f64>,
@@ -202,11 +203,8 @@ impl<const D: usize> Unit<D> {
         let (multipliers, held_work) = self.work.hold(system, &self.all, &self.u);
         let loads_work: f64 = self.loads.iter().zip(&self.u).map(|(f, u)| f * u).sum();
         self.multipliers = multipliers;
-        let zero = vec![0.0; self.u.len()];
-        let [heat, stored] = self
-            .free
-            .as_ref()
-            .map_or([0.0; 2], |free| [free.product([&self.u, &zero]), free.stored(&self.u)]);
+        let of_free = |free: &FreeLoad| [free.work(&self.u), free.stored(&self.u)];
+        let [heat, stored] = self.free.as_ref().map_or([0.0; 2], of_free);
         self.energy = UnitEnergy {
             work: 0.5 * (loads_work + held_work) + heat,
             stored: system.survey(&self.u).energy + stored,
