@@ -1,13 +1,12 @@
 //! Every case of the gallery passes its own checks.
 
 use super::support::{files, gallery, load, root, short, try_solve};
-use peristat::case::read;
-use peristat::input::{Folder, Reach};
+use peristat::input::Reach;
 use peristat::study::{Findings, Plan, Record};
 use peristat::summary::{Status, Summary};
+use rstest::rstest;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::thread;
+use std::process::Command;
 
 /// What a case fails by, a line each.
 fn failures(case: &Path) -> Vec<String> {
@@ -33,53 +32,45 @@ fn faults(summary: &Summary) -> Vec<String> {
     faults
 }
 
-/// Cases that a thread begins with: one alone takes as long as most of the others together.
-fn takes_long(case: &Path) -> bool {
-    short(case).starts_with("cases/bench/")
-        || read(case, &[], &Folder::of(case, Reach::Inside), None).is_ok_and(|source| source.case.slow)
-}
-
-/// Failures of all cases, each solved by whichever thread is free.
-fn failures_of_all(cases: Vec<PathBuf>) -> Vec<String> {
-    let (queue, found) = (Mutex::new(cases.into_iter()), Mutex::new(Vec::new()));
-    // A guard in the condition of a loop would be held while the case is solved.
-    let next = || queue.lock().unwrap().next();
-    let work = || {
-        while let Some(case) = next() {
-            let failures = failures(&case);
-            found.lock().unwrap().extend(failures);
-        }
-    };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(work))));
-    found.into_inner().unwrap()
-}
-
-#[test]
-fn cases_pass_their_checks() {
-    let mut cases = gallery();
-    assert!(cases.len() > 150, "found only {} cases", cases.len());
+/// A test of its own for every case.
+#[rstest]
+fn passes(
+    #[files("../../cases/**/*.json")]
+    #[exclude("/cases/invalid/|\\.study\\.json$")]
+    case: PathBuf,
+) {
     // A million points take a release build.
-    cases.retain(|case| !cfg!(debug_assertions) || !short(case).starts_with("cases/bench/"));
-    cases.sort_by_cached_key(|case| !takes_long(case));
-    let failures = failures_of_all(cases);
+    if cfg!(debug_assertions) && short(&case).starts_with("cases/bench/") {
+        return;
+    }
+    let failures = failures(&case);
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
+#[rstest]
+fn finds_what_it_expects(#[files("../../cases/**/*.study.json")] study: PathBuf) {
+    let plan = Plan::read(&study, &[], Reach::Inside).unwrap_or_else(|report| panic!("{report}"));
+    let solve = |task| {
+        Some(Record::solve(task, &plan.folder, None).unwrap_or_else(|e| panic!("{}: {e}", short(&study))))
+    };
+    let records: Vec<Option<Record>> = plan.tasks.iter().map(solve).collect();
+    let findings = Findings::new(&plan, &records);
+    assert!(!findings.expectations.is_empty(), "{} expects nothing", short(&study));
+    assert!(findings.passed(), "{}: {:#?}", short(&study), findings.expectations);
+}
+
+/// The compiler does not see that a file was added to a folder.
 #[test]
-fn studies_find_what_they_expect() {
-    let studies = files(&root().join("cases"), ".study.json");
-    assert!(!studies.is_empty());
-    for file in studies {
-        let plan = Plan::read(&file, &[], Reach::Inside).unwrap_or_else(|report| panic!("{report}"));
-        let solve = |task| {
-            Some(Record::solve(task, &plan.folder, None).unwrap_or_else(|e| panic!("{}: {e}", short(&file))))
-        };
-        let records: Vec<Option<Record>> = plan.tasks.iter().map(solve).collect();
-        let findings = Findings::new(&plan, &records);
-        assert!(!findings.expectations.is_empty(), "{} expects nothing", short(&file));
-        assert!(findings.passed(), "{}: {:#?}", short(&file), findings.expectations);
-    }
+fn every_file_has_its_test() {
+    let list = |test: &str| {
+        let this = std::env::current_exe().unwrap();
+        let told = Command::new(this).args(["--list", test]).output().unwrap();
+        String::from_utf8(told.stdout).unwrap().lines().filter(|line| line.ends_with(": test")).count()
+    };
+    let studies = files(&root().join("cases"), ".study.json").len();
+    let (listed, there) = ((list("gallery::passes"), list("gallery::finds_what_it_expects")), (gallery().len(), studies));
+    assert_eq!(listed, there, "files came or went: `touch tests/regression/gallery.rs`");
+    assert!(there.0 > 150 && there.1 > 0);
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Tables as comma-separated values (RFC 4180, with line feeds).
 
 use rayon::prelude::*;
-use std::fmt::Write;
 use std::io;
 use std::ops::Range;
 use std::path::Path;
@@ -59,10 +58,11 @@ pub fn head(name: &str, unit: &str) -> String {
 /// Rows as text.
 fn text(columns: &[(&str, &[f64])], rows: Range<usize>) -> String {
     let mut text = String::with_capacity(rows.len() * columns.len() * 20);
+    let mut digits = zmij::Buffer::new();
     for row in rows {
         for (position, (_, values)) in columns.iter().enumerate() {
-            let comma = if position == 0 { "" } else { "," };
-            let _ = write!(text, "{comma}{:?}", values[row]);
+            text.push_str(if position == 0 { "" } else { "," });
+            text.push_str(digits.format(values[row]));
         }
         text.push('\n');
     }

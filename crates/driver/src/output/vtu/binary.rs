@@ -14,8 +14,8 @@ use std::ops::Range;
 
 /// Bytes of a block before compression.
 const BLOCK: usize = 1 << 20;
-/// Fields hardly shrink further at higher levels, only slower.
-const LEVEL: u8 = 3;
+/// Fields of a plate of a million points shrink to 36 % here, by 1 % more at level 3, which takes five times as long.
+const LEVEL: u8 = 1;
 
 /// Numbers that become bytes block by block, so that they never lie in memory as a whole.
 pub(super) struct Items<'a> {
