@@ -1,4 +1,4 @@
-//! The stress suite: every model at its extremes, against closed forms and double-double references. An answer that is
+//! The stress suite: most models at their extremes, against closed forms and double-double references. An answer that is
 //! wrong by more than its certificate says is a failure; a refusal with its reason is not.
 //!
 //! `cargo test --release --test verification -- --ignored --nocapture stress::` solves all rows and prints the table; with

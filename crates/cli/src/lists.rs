@@ -104,7 +104,7 @@ const FRACTURE: [(&str, &str); 9] = [
     ),
     (
         "formula",
-        "how stretches follow from energy release rates: energy, of the bonds that a crack on the lattice cuts (default), or published",
+        "how stretches follow from energy release rates: growth, of a crack that runs (default of central bonds in the plane), energy, of the bonds that a crack on the lattice cuts (default of others), or published",
     ),
     ("curvature, shear_strain", "critical strains of a beam, one of them or both"),
 ];
