@@ -26,6 +26,7 @@ mod pictures;
 mod plane_folder;
 mod readme;
 mod report;
+mod report_marks;
 mod report_states;
 mod results_folder;
 mod schema;

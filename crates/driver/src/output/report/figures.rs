@@ -3,12 +3,14 @@
 use super::block::Block;
 
 /// In the order in which they need each other.
-const SCRIPTS: [&str; 8] = [
+const SCRIPTS: [&str; 10] = [
     include_str!("number.js"),
     include_str!("stage.js"),
     include_str!("field.js"),
     include_str!("chart.js"),
     include_str!("states.js"),
+    include_str!("cells.js"),
+    include_str!("marks.js"),
     include_str!("map.js"),
     include_str!("picture.js"),
     include_str!("page.js"),

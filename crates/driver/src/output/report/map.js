@@ -1,86 +1,5 @@
 // Maps: cells in the plane, coloured by a field, moved by a multiple of their displacements.
 
-// Corners of a cell, around from the lower left.
-const AROUND = [[0, 0], [1, 0], [1, 1], [0, 1]];
-
-// Corners of a cell at the ends of its right and its upper side, and those of the cell beyond.
-const FACES = [[[1, 2], [0, 3]], [[3, 2], [0, 1]]];
-// The state from which on a crack is there that was there before the first, and one that no body reaches.
-const [GIVEN, NEVER] = [-1, 0x7fffffff];
-
-// Cells in rows: their corners, the cells before each, their corners as they move, and the faces of cracks, in a state.
-function inRows({ origin, sides: [along, up], size: [columns, rows], last, runs, torn }, grown) {
-  const column = [], row = [];
-  const numbers = new Int32Array(columns * rows).fill(-1);
-  for (const [j, first, count] of runs) {
-    for (let i = first; i < first + count; i++) {
-      numbers[j * columns + i] = column.length;
-      column.push(i);
-      row.push(j);
-    }
-  }
-  const at = (i, j) => (i < 0 || j < 0 || i >= columns || j >= rows ? -1 : numbers[j * columns + i]);
-  const count = column.length;
-  const before = new Int32Array(3 * count);
-  const corners = new Float64Array(8 * count);
-  const part = (k, size, end) => Math.min(k, size - 1 + end);
-  for (let k = 0; k < count; k++) {
-    const [i, j] = [column[k], row[k]];
-    [at(i - 1, j), at(i, j - 1), at(i - 1, j - 1)].forEach((other, n) => (before[3 * k + n] = other));
-    AROUND.forEach(([right, above], n) => {
-      const [a, b] = [part(i + right, columns, last[0]), part(j + above, rows, last[1])];
-      for (const c of [0, 1]) corners[8 * k + 2 * n + c] = origin[c] + a * along[c] + b * up[c];
-    });
-  }
-  const since = new Int32Array(2 * count).fill(NEVER);
-  grown.forEach(([cell, side, state]) => (since[2 * cell + side] = state));
-  torn.forEach(([cell, side]) => (since[2 * cell + side] = GIVEN));
-  // A corner moves with the mean of the cells around it that no crack parts from its own.
-  function move(ux, uy, state) {
-    const joined = (a, b, side) => (b >= 0 && since[2 * Math.min(a, b) + side] > state ? b : -1);
-    const moved = new Float64Array(8 * count);
-    for (let k = 0; k < count; k++) {
-      for (let n = 0; n < 4; n++) {
-        const [i, j] = [column[k] + 2 * AROUND[n][0] - 1, row[k] + 2 * AROUND[n][1] - 1];
-        const [beside, over, across] = [joined(k, at(i, row[k]), 0), joined(k, at(column[k], j), 1), at(i, j)];
-        const reached = across >= 0 && ((beside >= 0 && joined(beside, across, 1) >= 0) || (over >= 0 && joined(over, across, 0) >= 0));
-        let [x, y, cells] = [ux[k], uy[k], 1];
-        for (const other of [beside, over, reached ? across : -1]) {
-          if (other >= 0) [x, y, cells] = [x + ux[other], y + uy[other], cells + 1];
-        }
-        [moved[8 * k + 2 * n], moved[8 * k + 2 * n + 1]] = [x / cells, y / cells];
-      }
-    }
-    return moved;
-  }
-  // Both faces of what has grown after some state: cell and two of its corners.
-  function faces(state, after) {
-    return since.reduce((all, from, place) => {
-      if (from > state || from <= after) return all;
-      const [k, side] = [place >> 1, place & 1];
-      const beyond = side ? at(column[k], row[k] + 1) : at(column[k] + 1, row[k]);
-      all.push([k, ...FACES[side][0]]);
-      if (beyond >= 0) all.push([beyond, ...FACES[side][1]]);
-      return all;
-    }, []);
-  }
-  return { count, before, corners, move, faces };
-}
-
-// Squares of a list.
-function inList({ x, y, side }) {
-  const count = x.length;
-  const before = Int32Array.from({ length: 3 * count }, (_, k) => (k % 3 ? -1 : k / 3 - 1));
-  const corners = new Float64Array(8 * count);
-  for (let k = 0; k < 8 * count; k++) {
-    const cell = k >> 3;
-    const away = AROUND[(k >> 1) & 3][k & 1] - 0.5;
-    corners[k] = (k & 1 ? y : x)[cell] + away * side[cell];
-  }
-  const move = (ux, uy) => Float64Array.from({ length: 8 * count }, (_, k) => (k & 1 ? uy : ux)[k >> 3]);
-  return { count, before, corners, move, faces: () => [] };
-}
-
 // Where coordinates stand in a box of some width: `to` and the height that is needed. x and y alternate in `points`.
 function view(lists, width, tallest) {
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
@@ -123,6 +42,9 @@ function map(figure, data) {
   const shots = [...data.before, { ...data.state, packed: data.fields.map((field) => field.packed) }];
   const values = (shot, k) => unpack(shot.packed[k], cells.before);
   let shot = shots.at(-1), moved = null, shown = null, seen = null, corners = cells.corners;
+  // What arrows and corners need of a state beside the field that is chosen.
+  const needed = [...(data.moves?.fields ?? []), ...(data.marks.arrows?.tensor ?? [])];
+  let own = [], squares = [];
 
   // Cells by the level of their colour.
   function levels(of) {
@@ -166,6 +88,7 @@ function map(figure, data) {
     const of = data.fields[choice.value];
     levels(of).forEach((list, k) => fill(ctx, corners, list, css(tint(k))));
     cracks(ctx, factor);
+    marks(ctx, of, factor);
     ctx.restore();
     bar(stage, ctx, of, seen.height + 14);
     [figure.dataset.ready, figure.dataset.state] = [choice.value, shown.state];
@@ -185,6 +108,24 @@ function map(figure, data) {
       [ctx.strokeStyle, ctx.lineWidth] = [style, width];
       ctx.stroke();
     }
+  }
+
+  // Isolines of the field, and the arrows that tell of it; those of displacements also where the body is drawn at rest.
+  function marks(ctx, of, factor) {
+    const at = ([x, y]) => [seen.x(x), seen.y(y)];
+    const places = (k, list = corners) => [0, 1].map((c) => middle(list, k, c));
+    const lines = data.marks.isolines ? isolines(squares, shown.values, places, of.range, data.marks.isolines) : [];
+    drawIsolines(ctx, lines, at);
+    const asked = data.marks.arrows;
+    let arrows = [];
+    if (asked?.on.includes(Number(choice.value))) {
+      const gone = (k) => places(k, cells.corners).map((v, c) => v + (factor || data.moves.factor) * own[c][k]);
+      arrows = asked.tensor
+        ? principal(cells.chosen(), own.slice(-3), places)
+        : cells.chosen().own.map((k) => [places(k, cells.corners), gone(k)]);
+    }
+    drawArrows(ctx, arrows, at);
+    [figure.dataset.isolines, figure.dataset.arrows] = [lines.map(({ value }) => number(value, 4)).join(' '), arrows.length];
   }
 
   const middle = (at, k, c) => (at[8 * k + c] + at[8 * k + 4 + c]) / 2;
@@ -207,11 +148,12 @@ function map(figure, data) {
   // Shows the chosen field of a state, unless another one has been chosen before it is unpacked.
   async function choose() {
     const [chosen, of] = [choice.value, shot];
-    const isNew = data.moves && shown?.state !== of.state;
-    const [own, ...u] = await Promise.all([chosen, ...(isNew ? data.moves.fields : [])].map((k) => values(of, k)));
+    const isNew = shown?.state !== of.state;
+    const [first, ...others] = await Promise.all([chosen, ...(isNew ? needed : [])].map((k) => values(of, k)));
     if (choice.value !== chosen || shot !== of) return;
-    if (isNew) moved = cells.move(...u, of.state);
-    shown = { values: own, packed: of.packed[chosen], state: of.state };
+    if (isNew) [own, squares] = [others, data.marks.isolines ? cells.squares(of.state) : []];
+    if (isNew && data.moves) moved = cells.move(...own.slice(0, 2), of.state);
+    shown = { values: first, packed: of.packed[chosen], state: of.state };
     draw();
   }
 

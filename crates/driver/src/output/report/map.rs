@@ -26,10 +26,38 @@ pub struct Map {
     pub lines: Vec<Vec<[f64; 2]>>,
     /// Sides along which cells have come apart: the cell, the side as in `torn`, and the number of the first such state.
     pub grown: Vec<[usize; 3]>,
+    /// What lies over the cells.
+    pub marks: Marks,
     /// Number of the state that it shows, and what that is called.
     pub state: (usize, String),
     /// States before, in their order.
     pub before: Vec<Frame>,
+}
+
+/// What lies over the cells of a map.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Marks {
+    /// How many lines of equal values each field has, about.
+    pub isolines: Option<usize>,
+    /// What arrows show.
+    pub arrows: Option<Arrows>,
+}
+
+/// Arrows of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrows {
+    /// Numbers of the fields on which they are shown.
+    pub on: Vec<usize>,
+    /// Numbers of the fields that are the components xx, yy and xy of the tensor whose principal values they show; without it
+    /// they show how cells move.
+    pub tensor: Option<[usize; 3]>,
+}
+
+impl Marks {
+    fn json(&self) -> Value {
+        let arrows = self.arrows.as_ref().map(|a| json!({ "on": a.on, "tensor": a.tensor }));
+        json!({ "isolines": self.isolines, "arrows": arrows })
+    }
 }
 
 /// Cells of a map.
@@ -108,7 +136,7 @@ pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
     let packed = field::packed(&map.fields, &map.cells.order(), most_bytes);
     let data = json!({
         "length": map.length, "cells": map.cells.json(), "fields": field::json(&map.fields, &packed), "moves": moves,
-        "lines": map.lines, "grown": map.grown, "before": map.before,
+        "lines": map.lines, "grown": map.grown, "marks": map.marks.json(), "before": map.before,
         "state": { "state": map.state.0, "name": map.state.1 },
     });
     let described = field::described(&map.title, &map.fields);

@@ -40,7 +40,7 @@ pub use block::{Badge, Bar, Block, Page, Section};
 pub use chart::{Axis, Chart, Look, Series, Slope};
 pub use field::{Field, Moves};
 pub use frames::{Frame, Frames};
-pub use map::{Cells, Map};
+pub use map::{Arrows, Cells, Map, Marks};
 pub use number::{number, typeset};
 pub use picture::{Part, Picture, Shape, View};
 pub use solid::{Bricks, Solid};

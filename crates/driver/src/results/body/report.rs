@@ -2,14 +2,18 @@
 
 use super::plots::size_of;
 use super::raster::{Grid, Limits, Raster};
+use crate::case::Arrows::{Displacement, PrincipalStress};
 use crate::case::FieldName;
 use crate::output::plot::short;
-use crate::output::report::{Cells, Field, Map, Moves};
+use crate::output::report::{self, Cells, Field, Map, Marks, Moves};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
 use peristat_assembly::body::PointBody;
+
+/// The field of the lengths of displacements.
+const DISPLACEMENT: &str = "displacement";
 
 /// Cells of a map: as many as fields of them fit into the report.
 const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
@@ -23,6 +27,7 @@ pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
     let grown = raster.between(&result.parted(scene));
     let (fields, moves) =
         fields(scene, result, [FieldName::Ux, FieldName::Uy], &|values| raster.means(values));
+    let marks = marks(scene, &fields);
     Map {
         title: String::new(),
         note: note(scene, &raster),
@@ -30,11 +35,35 @@ pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
         cells: cells(scene, &raster),
         fields,
         moves,
+        marks,
         lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
         grown: grown.into_iter().map(|[cell, side]| [cell, side, result.record.index]).collect(),
         state: (result.record.index, state_name(scene, result)),
         before: Vec::new(),
     }
+}
+
+/// The isolines and arrows that the case asks for: those of displacements on displacements, those of stresses on stresses.
+fn marks(scene: &BodyScene, fields: &[Field]) -> Marks {
+    let drawing = &scene.case.drawing;
+    let numbered = |is: &dyn Fn(&str) -> bool| (0..fields.len()).filter(|&k| is(&fields[k].name)).collect();
+    let number = |field: FieldName| fields.iter().position(|own| own.name == field.name());
+    let arrows = drawing.arrows.and_then(|arrows| match arrows {
+        Displacement => {
+            let axes = [FieldName::Ux, FieldName::Uy];
+            let moves = axes.into_iter().all(|axis| number(axis).is_some());
+            let on = numbered(&|name| name == DISPLACEMENT || axes.iter().any(|axis| axis.name() == name));
+            moves.then_some(report::Arrows { on, tensor: None })
+        }
+        PrincipalStress => {
+            let components = [FieldName::StressXx, FieldName::StressYy, FieldName::StressXy];
+            let von_mises = FieldName::VonMises.name();
+            let on = numbered(&|name| name == von_mises || name.starts_with("stress_"));
+            let [xx, yy, xy] = components.map(number);
+            Some(report::Arrows { on, tensor: Some([xx?, yy?, xy?]) })
+        }
+    });
+    Marks { isolines: drawing.isolines, arrows }
 }
 
 /// What a state is called, with its load factor where it has one of its own.
@@ -63,7 +92,7 @@ pub(super) fn fields<const AXES: usize>(
     let points = u.iter().map(|u| u.len()).min().unwrap_or(0);
     let size: Vec<f64> =
         (0..points).map(|p| u.iter().map(|u| u[p]).fold(0.0, |sum: f64, u| sum.hypot(u))).collect();
-    let size = field("displacement", scene.units.length(), &size);
+    let size = field(DISPLACEMENT, scene.units.length(), &size);
     let factor = magnification(size_of(scene), size.range[1]);
     let mut fields: Vec<Field> = ordered(scene, result).into_iter().filter_map(named).collect();
     // What a reader sees first stays first.
@@ -106,6 +135,10 @@ fn note(scene: &BodyScene, raster: &Raster) -> String {
         }
         _ => {}
     }
+    told.extend(scene.case.drawing.arrows.map(|arrows| match arrows {
+        Displacement => "Arrows on displacements: where points have moved.".into(),
+        PrincipalStress => "Arrows on stresses: principal stresses, inwards in compression.".into(),
+    }));
     told.join(" ")
 }
 
