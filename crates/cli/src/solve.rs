@@ -180,7 +180,9 @@ fn about(forecast: Forecast) -> String {
         _ if seconds < 6000.0 => format!("{} min", rounded(seconds / 60.0)),
         _ => format!("{} h", rounded(seconds / 3600.0)),
     };
-    format!("about {equilibria} equilibria in {time}, both to a factor of three; ")
+    format!(
+        "1 equilibrium if no bond breaks, about {equilibria} in {time} if a crack goes through, both to a factor of three; "
+    )
 }
 
 /// Builds cases and says how large they are.

@@ -1,5 +1,5 @@
 //! How many equilibria a body that breaks will take, and how long, before any is solved: from the bonds that a crack through it cuts.
-//! Measured on the gallery; both are right to a factor of three.
+//! Measured on the gallery; both are right to a factor of three where a crack goes through. One equilibrium is all where no bond breaks.
 
 use crate::case::Strategy;
 use crate::run::Sizes;
@@ -16,7 +16,7 @@ const WORST: f64 = 2.7;
 const OTHER: f64 = 4.0;
 const IN_SOLID: f64 = 20.0;
 
-/// What a run of a body that breaks will take, about.
+/// What a run of a body that breaks will take, about, if a crack goes through it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Forecast {
     /// Equilibria.
