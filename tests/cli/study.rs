@@ -1,6 +1,6 @@
 //! Studies, as a user plans, stops, kills, spreads and collects them.
 
-use super::support::{files, gallery, json, names, peristat, run};
+use super::support::{files, gallery, json, names, peristat, root, run};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
@@ -166,6 +166,74 @@ fn the_plan_names_every_task_as_run_takes_it() {
 }
 
 #[test]
+fn all_limits_of_a_plate_work_whatever_the_spacing() {
+    let folder = tempfile::tempdir().unwrap();
+    for file in ["uniaxial_tension.json", "uniaxial_tension.csv"] {
+        fs::copy(root().join("cases/plate").join(file), folder.path().join(file)).unwrap();
+    }
+    // 40 mm × 20 mm at a horizon of 3 mm: spacings are 20 mm over whole numbers, the next ones not above those asked for.
+    let [m2, m4] = [20.0 / 14.0, 20.0 / 27.0];
+    for (name, refine, set, horizons, spacings) in [
+        ("m", json!({ "m_convergence": { "ratios": [2, 3, 4] } }), 3, [3.0, 3.0, 3.0], [m2, 1.0, m4]),
+        (
+            "delta",
+            json!({ "delta_convergence": { "factors": [0.7, 1, 2] } }),
+            3,
+            [3.0 * m2, 3.0, 1.5],
+            [m2, 1.0, 0.5],
+        ),
+        (
+            "joint",
+            json!({ "joint_convergence": { "factors": [1, 2, 4], "ratios": [2, 3, 4] } }),
+            2,
+            [2.0, 1.0, 0.5],
+            [1.0, 20.0 / 60.0, 0.125],
+        ),
+    ] {
+        let study = json!({ "title": name, "case": "uniaxial_tension.json", "set": { "horizon_ratio": set }, "refine": refine });
+        fs::write(folder.path().join(format!("{name}.json")), study.to_string()).unwrap();
+        let outcome = run(folder.path(), &["study", &format!("{name}.json")]);
+        assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+        let fits = "note: horizon ratio 2.1 in place of 2: the next one at which the body is whole cells";
+        assert_eq!(outcome.stdout.contains(fits), name == "m", "{}", outcome.stdout);
+        assert!(
+            outcome.stdout.contains("note: checks against a `baseline` are left out"),
+            "{}",
+            outcome.stdout
+        );
+        let found = json(&folder.path().join(format!("results/{name}/study.json")));
+        let report = fs::read_to_string(folder.path().join(format!("results/{name}/report.html"))).unwrap();
+        assert!(report.contains("baseline"), "{name}");
+        let series = &found["series"][0];
+        let close = |a: &Value, b: f64, most: f64| (a.as_f64().unwrap() - b).abs() <= most * b;
+        for (k, level) in series["levels"].as_array().unwrap().iter().enumerate() {
+            assert!(close(&level["horizon"], horizons[k], 1e-12), "{name}: {}", level["horizon"]);
+            assert!(close(&level["spacing"], spacings[k], 1e-12), "{name}: {}", level["spacing"]);
+        }
+        // The bonds are exact for a uniform stress, whatever the horizon: σ²/(2E) times the volume, 1e-12.
+        let energy = series["quantities"].as_array().unwrap().iter().find(|q| q["name"] == "energy").unwrap();
+        let exact = 100.0 * 100.0 / (2.0 * 70_000.0) * 40.0 * 20.0 * 2.0;
+        assert!(
+            energy["values"].as_array().unwrap().iter().all(|v| close(v, exact, 1e-10)),
+            "{name}: {energy}"
+        );
+    }
+}
+
+#[test]
+fn a_limit_starts_from_the_horizon_that_the_model_has() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy(root().join("cases/plate/shear.json"), folder.path().join("shear.json")).unwrap();
+    let study =
+        r#"{ "title": "m", "case": "shear.json", "refine": { "m_convergence": { "ratios": [2, 3] } } }"#;
+    fs::write(folder.path().join("m.json"), study).unwrap();
+    assert_eq!(run(folder.path(), &["study", "m.json"]).code, 0);
+    let levels = &json(&folder.path().join("results/m/study.json"))["series"][0]["levels"];
+    // Two spacings of 1 mm, of a plate that stays whole.
+    assert!((0..2).all(|k| levels[k]["horizon"].as_f64() == Some(2.0)), "{levels}");
+}
+
+#[test]
 fn faults_of_a_study_are_told_at_their_place() {
     let folder = tempfile::tempdir().unwrap();
     for (changes, told) in [
@@ -191,7 +259,14 @@ fn faults_of_a_study_are_told_at_their_place() {
                 "where": { "model.timoshenko_beam.bond_law": "publishd" } }] }),
             "no series has these values",
         ),
-        (json!({ "refine": { "delta_convergence": { "factors": [1, 1.01] } } }), "no whole number of cells"),
+        (
+            json!({ "refine": { "delta_convergence": { "factors": [1, 1.01, 1.02] } } }),
+            "the factor 1.02 takes the spacing of the value before it",
+        ),
+        (
+            json!({ "refine": { "m_convergence": { "ratios": [0.1, 1] } } }),
+            "the horizon ratio 0.1 leaves a part of a cell",
+        ),
         (
             json!({ "refine": { "joint_convergence": { "factors": [1, 2], "ratios": [2] } } }),
             "as many ratios",

@@ -16,12 +16,18 @@ pub(super) fn plan(plan: &Plan, finished: impl Fn(&Task) -> bool) -> String {
     };
     let rows: Vec<Vec<String>> = plan.tasks.iter().map(row).collect();
     let list = table(&["task", "set", "finished"], &rows);
-    format!("{}\n\n  case  {}\n\n{list}", plan.study.title, plan.case_file.display())
+    let remarks = remarks(&plan.remarks());
+    format!("{}\n{remarks}\n  case  {}\n\n{list}", plan.study.title, plan.case_file.display())
+}
+
+/// Remarks, one per line.
+fn remarks(all: &[String]) -> String {
+    all.iter().map(|remark| format!("note: {remark}\n")).collect()
 }
 
 /// What a study found; `verbose` shows every level, too.
 pub(super) fn findings(findings: &Findings, verbose: bool) -> String {
-    let mut out = format!("{}\n", findings.title);
+    let mut out = format!("{}\n{}", findings.title, remarks(&findings.remarks));
     for series in &findings.series {
         let title = series.title();
         let _ = if title.is_empty() { writeln!(out) } else { writeln!(out, "\n{title}\n") };

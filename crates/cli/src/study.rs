@@ -140,7 +140,7 @@ fn show_plan(plan: &Plan, store: &Store, global: &Global) -> Result<u8, Error> {
         let list = plan.tasks.iter().map(|task| {
             serde_json::json!({
                 "task": task.number, "key": task.key, "finished": store.get(&task.key).is_some(),
-                "settings": task.settings, "set": task.overrides,
+                "settings": task.settings, "set": task.overrides, "remarks": task.remarks,
             })
         });
         let plan = serde_json::json!({ "case": plan.case_file, "tasks": list.collect::<Vec<_>>() });

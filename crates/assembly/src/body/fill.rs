@@ -197,8 +197,9 @@ fn countable(cells: [f64; 2], spacing: f64) -> Result<(), FillError> {
     Ok(())
 }
 
-/// The nearest spacings below and above one of which all sides are whole multiples.
-pub(super) fn fitting(size: &[f64], spacing: f64) -> Vec<f64> {
+/// The nearest spacings below and above one of which all sides are whole multiples: one that is such counts as below, and
+/// there may be none.
+pub fn fitting_spacings(size: &[f64], spacing: f64) -> [Option<f64>; 2] {
     let short = size.iter().copied().fold(f64::INFINITY, f64::min);
     let fits = |n: &f64| {
         size.iter().all(|side| {
@@ -207,9 +208,15 @@ pub(super) fn fitting(size: &[f64], spacing: f64) -> Vec<f64> {
         })
     };
     let number = short / spacing;
-    let finer = (0..1000).map(|k| number.ceil().max(1.0) + f64::from(k)).find(fits);
-    let coarser = (0..1000).map(|k| number.floor() - f64::from(k)).take_while(|n| *n >= 1.0).find(fits);
-    [finer, coarser].into_iter().flatten().map(|n| short / n).collect()
+    let first = (number * (1.0 - WHOLE)).ceil().max(1.0);
+    let finer = (0..1000).map(|k| first + f64::from(k)).find(fits);
+    let coarser = (1..=1000).map(|k| first - f64::from(k)).take_while(|n| *n >= 1.0).find(fits);
+    [finer, coarser].map(|number| number.map(|n| short / n))
+}
+
+/// The same as a list.
+pub(super) fn fitting(size: &[f64], spacing: f64) -> Vec<f64> {
+    fitting_spacings(size, spacing).into_iter().flatten().collect()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::{Body, Case, Grading};
 use crate::diagnostic::JsonPath;
+use peristat_assembly::body::fitting_spacings;
 use serde_json::Value;
 
 /// Overrides of a case: paths and values.
@@ -9,6 +10,14 @@ pub type Overrides = Vec<(JsonPath, Value)>;
 
 /// How far a number of cells may be from a whole one.
 const SLACK: f64 = 1e-9;
+
+/// Why some bodies are not refined.
+const NO_SPACING: &str = "listed points and meshes have no spacing to change";
+
+/// The greatest common divisor.
+fn common(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { common(b, a % b) }
+}
 
 impl Case {
     /// Overrides that divide the spacing of the body by a factor: whole numbers of cells are multiplied by it, lengths of
@@ -53,21 +62,37 @@ impl Case {
             Body::CompactTension(s) => specimen("compact_tension", s.cells),
             Body::SingleEdgeBend(s) => specimen("single_edge_bend", s.cells),
             Body::CentreCrackedPanel(s) => specimen("centre_cracked_panel", s.cells),
-            Body::Points(_) | Body::Mesh(_) => {
-                Err("listed points and meshes have no spacing to change".into())
-            }
+            Body::Points(_) | Body::Mesh(_) => Err(NO_SPACING.into()),
         }
     }
 
-    /// The spacing, where the whole body has one that the case tells.
-    pub fn spacing(&self) -> Option<f64> {
+    /// The nearest factors by which the spacing can be divided, so that no part of a cell is left: the first not below the one
+    /// that is asked for, and the last below it.
+    ///
+    /// # Errors
+    /// The body has no spacing to change.
+    pub fn fitting_factors(&self, asked: f64) -> Result<[Option<f64>; 2], String> {
+        let of_cells = |cells: usize| {
+            let finer = (cells as f64 * asked * (1.0 - SLACK)).ceil().max(1.0);
+            let coarser = Some(finer - 1.0).filter(|n| *n >= 1.0);
+            [Some(finer), coarser].map(|number| number.map(|n| n / cells as f64))
+        };
+        let of_sides = |sides: &[f64], spacing: f64| {
+            fitting_spacings(sides, spacing / asked).map(|fitting| fitting.map(|own| spacing / own))
+        };
         match &self.body {
-            Body::Line(line) if line.grading.is_none() => Some(line.length / line.cells as f64),
-            Body::Rectangle(rectangle) => Some(rectangle.spacing),
-            Body::Outline(outline) => Some(outline.spacing),
-            Body::Block(block) => Some(block.spacing),
-            Body::Solid(solid) => Some(solid.spacing),
-            _ => None,
+            Body::Line(line) => Ok(of_cells(line.cells)),
+            Body::Lines(lines) => Ok(of_cells(lines.iter().fold(0, |all, line| common(all, line.cells)))),
+            Body::Frame(frame) => {
+                Ok(of_cells(frame.members.iter().fold(0, |all, member| common(all, member.cells))))
+            }
+            Body::Rectangle(rectangle) => Ok(of_sides(&rectangle.size, rectangle.spacing)),
+            Body::Block(block) => Ok(of_sides(&block.size, block.spacing)),
+            Body::CompactTension(s) => Ok(of_cells(s.cells)),
+            Body::SingleEdgeBend(s) => Ok(of_cells(s.cells)),
+            Body::CentreCrackedPanel(s) => Ok(of_cells(s.cells)),
+            Body::Outline(_) | Body::Solid(_) => Ok([Some(asked), None]),
+            Body::Points(_) | Body::Mesh(_) => Err(NO_SPACING.into()),
         }
     }
 

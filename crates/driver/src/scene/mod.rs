@@ -142,6 +142,15 @@ impl Scene {
         }
     }
 
+    /// Horizon over spacing, of the first line of a beam.
+    pub fn horizon_ratio(&self) -> f64 {
+        match self {
+            Self::Beam(scene) => scene.horizon_ratio(),
+            Self::Body(scene) => scene.horizon() / scene.spacing(),
+            Self::Plate(scene) => scene.plate.parameters().horizon_ratio,
+        }
+    }
+
     /// The fields that probes of some case with the same model can ask for.
     pub fn askable(&self) -> Vec<FieldName> {
         match self {

@@ -1,7 +1,7 @@
 //! Faults of a study that its own keys show.
 
 use super::file::{Refine, Study};
-use super::plan::steps;
+use super::refined::steps;
 use super::settings::includes;
 use crate::diagnostic::{Faults, JsonPath};
 use serde_json::{Map, Value};

@@ -197,6 +197,9 @@ pub struct Findings {
     pub size: &'static str,
     /// Number of tasks.
     pub tasks: usize,
+    /// What differs from what the study asks for, each once.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
     /// Numbers of the tasks that have no result.
     pub missing: Vec<usize>,
     /// Numbers of the tasks with a state that did not converge.
@@ -225,6 +228,7 @@ impl Findings {
                 Some(Refine::DeltaConvergence(_) | Refine::JointConvergence(_)) | None => "horizon",
             },
             tasks: plan.tasks.len(),
+            remarks: plan.remarks(),
             missing: numbers(&|record| record.is_none()),
             not_converged: numbers(&|record| record.as_ref().is_some_and(|r| !r.converged)),
             expectations: super::expect::outcomes(&plan.study, &series),

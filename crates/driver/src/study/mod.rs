@@ -15,6 +15,7 @@ mod judge;
 pub mod order;
 mod plan;
 mod record;
+mod refined;
 mod report;
 mod settings;
 mod solving;

@@ -3,11 +3,13 @@
 use super::check::check;
 use super::faults::TaskFaults;
 use super::file::{Refine, Study};
-use crate::case::{self, Case, Overrides, Source};
+use super::refined::{self, Level, Unfit, steps};
+use crate::case::{self, Case, Source};
 use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, case_for_study, decode, parse};
 use crate::input::{self, Folder, Reach};
 use crate::memory;
 use crate::run::{RunOptions, sizes};
+use crate::scene::Scene;
 use crate::{Error, Loaded};
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
@@ -23,6 +25,8 @@ pub struct Task {
     pub size: Option<f64>,
     /// All overrides of the case file, as `--set` takes them.
     pub overrides: Vec<String>,
+    /// What differs from what the study asks for.
+    pub remarks: Vec<String>,
     /// Hash of all that the result depends on, hexadecimal.
     pub key: String,
     /// The case.
@@ -53,17 +57,6 @@ pub struct Plan {
     pub folder: Folder,
     /// Tasks, those of a series from coarse to fine one after the other.
     pub tasks: Vec<Task>,
-}
-
-/// One step of a refinement.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Step {
-    /// Size that orders are of.
-    size: f64,
-    factor: Option<f64>,
-    ratio: Option<f64>,
-    /// Overrides that the study gives itself.
-    given: Vec<String>,
 }
 
 /// Memory of a task per byte of its case: its text with overrides, and what is made of it.
@@ -119,20 +112,19 @@ impl Plan {
         if !memory::fits(needed, (&what, "vary fewer values"), None, place, &mut faults) {
             return Err(faults.into_report(name, text).into());
         }
-        let of_refinement = |message: String| {
-            let mut faults = Faults::default();
-            faults.error(JsonPath::default().key("refine"), message);
-            faults.into_report(name.clone(), text.clone())
+        let of_refinement = |unfit: Unfit| {
+            let mut diagnostic = Diagnostic::error(JsonPath::default().key("refine"), unfit.message);
+            diagnostic.hint = unfit.hint;
+            Report::of(&name, text.clone(), diagnostic)
         };
         let fixed: Vec<String> = study.set.iter().map(assignment).chain(overrides.iter().cloned()).collect();
         let mut made = Vec::new();
         for settings in series {
             let own = fixed.iter().cloned().chain(settings.iter().map(assignment)).collect();
-            for (size, overrides) in levels_of(&study, (&case_file, &folder, &base), own, &of_refinement) {
-                let settings = (settings.clone(), size);
+            for level in levels_of(&study, (&case_file, &folder, &base), own, &of_refinement) {
                 let made_of =
-                    |overrides| task((&case_file, &folder), &base, settings, overrides, made.len() + 1);
-                made.push(overrides.and_then(made_of));
+                    |level| task((&case_file, &folder), &base, settings.clone(), level, made.len() + 1);
+                made.push(level.and_then(made_of));
             }
         }
         let faults = (1..).zip(&made).filter_map(|(k, task)| Some((k, task.as_ref().err()?.clone().into())));
@@ -143,29 +135,54 @@ impl Plan {
         Ok(Self { study, case_file, folder, tasks: made.into_iter().flatten().collect() })
     }
 
+    /// What differs from what the study asks for, each once.
+    pub fn remarks(&self) -> Vec<String> {
+        let mut all: Vec<String> = Vec::new();
+        for remark in self.tasks.iter().flat_map(|task| &task.remarks) {
+            if !all.contains(remark) {
+                all.push(remark.clone());
+            }
+        }
+        all
+    }
+
     /// Ranges of tasks that differ by their refinement only, coarse to fine.
     pub fn series(&self) -> impl Iterator<Item = &[Task]> {
         self.tasks.chunk_by(|a, b| a.settings == b.settings && a.size.is_some() && b.size.is_some())
     }
 }
 
-/// Size and overrides of every task of a series, whose own overrides are given, or why it has none.
-type Levels = Vec<(Option<f64>, Result<Vec<String>, Report>)>;
-
-/// The levels of a series with overrides of its own.
+/// The levels of a series with overrides of its own, one where nothing is refined, or why it has none.
 fn levels_of(
     study: &Study,
     (file, folder, base): (&Path, &Folder, &str),
     own: Vec<String>,
-    fault: &dyn Fn(String) -> Report,
-) -> Levels {
-    let Some(refine) = &study.refine else { return vec![(None, Ok(own))] };
+    fault: &dyn Fn(Unfit) -> Report,
+) -> Vec<Result<Level, Report>> {
+    let Some(refine) = &study.refine else { return vec![Ok(Level::alone(own))] };
     let start = case::from_text(&file.display().to_string(), base.into(), &own, folder);
-    let of = |step: &Step| {
-        let refined = refined(&start.as_ref().map_err(Clone::clone)?.case, step).map_err(fault)?;
-        Ok(own.iter().cloned().chain(refined).collect())
+    let ratio = start.and_then(|source| Ok((ratio_of(refine, &source, folder)?, source.case)));
+    let (ratio, case) = match ratio {
+        Ok(both) => both,
+        Err(report) => return vec![Err(report); steps(refine).len()],
     };
-    steps(refine).iter().map(|step| (Some(step.size), of(step))).collect()
+    let with_own = |level: Level| Level { overrides: [own.clone(), level.overrides].concat(), ..level };
+    refined::levels(refine, &case, ratio)
+        .into_iter()
+        .map(|level| level.map(with_own).map_err(fault))
+        .collect()
+}
+
+/// Horizon over spacing of a base case, where a refinement starts from it: what the case says, or else its model.
+fn ratio_of(refine: &Refine, source: &Source, folder: &Folder) -> Result<f64, Report> {
+    match (refine, source.case.horizon_ratio) {
+        (Refine::DeltaConvergence(_) | Refine::Values(_), _) => Ok(1.0),
+        (Refine::MConvergence(_) | Refine::JointConvergence(_), Some(ratio)) if ratio > 0.0 => Ok(ratio),
+        (Refine::MConvergence(_) | Refine::JointConvergence(_), _) => {
+            let Source { case, file, text } = source.clone();
+            Ok(Scene::new(case, folder, &file, &text, None)?.horizon_ratio())
+        }
+    }
 }
 
 /// An override as `--set` takes it.
@@ -191,13 +208,13 @@ fn base_of(file: &Path, study: &Study, text: &str, reach: Reach) -> Result<Strin
 fn task(
     (file, folder): (&Path, &Folder),
     base: &str,
-    (settings, size): (Map<String, Value>, Option<f64>),
-    overrides: Vec<String>,
+    settings: Map<String, Value>,
+    Level { size, overrides, remarks, .. }: Level,
     number: usize,
 ) -> Result<Task, Report> {
     let source = case::from_text(&file.display().to_string(), base.into(), &overrides, folder)?;
     let key = key(&source.case, folder);
-    Ok(Task { number, settings, size, overrides, key, source })
+    Ok(Task { number, settings, size, overrides, remarks, key, source })
 }
 
 /// Hash of a case without its words, of the files it names, and of the version of this program.
@@ -212,55 +229,4 @@ fn key(case: &Case, folder: &Folder) -> String {
         hasher.update(&folder.read(file, None).unwrap_or_default());
     }
     hasher.finalize().to_hex()[..32].into()
-}
-
-/// Steps of a refinement, coarse to fine.
-pub(super) fn steps(refine: &Refine) -> Vec<Step> {
-    let factor = |f: &f64| Step { size: f.recip(), factor: Some(*f), ..Step::default() };
-    let ratio = |m: &f64| Step { size: m.recip(), ratio: Some(*m), ..Step::default() };
-    match refine {
-        Refine::DeltaConvergence(r) => r.factors.iter().map(factor).collect(),
-        Refine::MConvergence(r) => r.ratios.iter().map(ratio).collect(),
-        Refine::JointConvergence(r) => {
-            let both = r.factors.iter().zip(&r.ratios);
-            both.map(|(f, m)| Step { ratio: Some(*m), ..factor(f) }).collect()
-        }
-        Refine::Values(r) => {
-            let given = |k: usize| {
-                let of = |(path, values): (&String, &Value)| {
-                    format!("{path}={}", values.get(k).unwrap_or(&Value::Null))
-                };
-                r.set.iter().map(of).collect()
-            };
-            let all = r.sizes.iter().enumerate();
-            all.map(|(k, size)| Step { size: *size, given: given(k), ..Step::default() }).collect()
-        }
-    }
-}
-
-/// Overrides of a step: with a ratio the horizon of the case is kept, or divided by the factor, and the spacing follows.
-fn refined(case: &Case, step: &Step) -> Result<Vec<String>, String> {
-    let overrides = match (step.factor, step.ratio) {
-        (None, None) => return Ok(step.given.clone()),
-        (Some(factor), None) => case.refined(factor)?,
-        (factor, Some(ratio)) => at_ratio(case, factor.unwrap_or(1.0), ratio)?,
-    };
-    Ok(overrides.into_iter().map(|(path, value)| format!("{path}={value}")).collect())
-}
-
-/// The horizon over a factor, and the spacing over it that makes the ratio.
-fn at_ratio(case: &Case, factor: f64, ratio: f64) -> Result<Overrides, String> {
-    let of_length = || Some(case.horizon? / case.spacing()?);
-    let Some(base) = case.horizon_ratio.or_else(of_length) else {
-        let set = r#"`"set": { "horizon_ratio": 3 }` in the study does"#;
-        return Err(format!(
-            "the base case must give `horizon_ratio`, from which its horizon follows: {set}"
-        ));
-    };
-    let mut overrides = case.with_spacing_over(factor * ratio / base)?;
-    overrides.push(match case.horizon {
-        Some(horizon) => (JsonPath::default().key("horizon"), Value::from(horizon / factor)),
-        None => (JsonPath::default().key("horizon_ratio"), Value::from(ratio)),
-    });
-    Ok(overrides)
 }

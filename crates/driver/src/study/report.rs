@@ -19,6 +19,9 @@ const MOST_TRIANGLES: usize = 4;
 /// The page of a study.
 pub(super) fn page(plan: &Plan, findings: &Findings) -> Page {
     let mut sections = Vec::new();
+    if !findings.remarks.is_empty() {
+        sections.push(Section::new("Other than asked", vec![Block::List(findings.remarks.clone())]));
+    }
     if !findings.expectations.is_empty() {
         sections.push(Section::new("Expectations", vec![Block::Table(expectations(findings))]));
     }

@@ -63,7 +63,7 @@ fn with_digits_of(value: f64, error: f64) -> String {
 
 /// Values, errors and orders of some quantities of a series, level by level.
 pub fn levels(series: &Series, quantities: &[Quantity]) -> Listing {
-    let mut header = vec!["task", "horizon", "spacing", "points", "time, s"];
+    let mut header = vec!["task", "horizon", "spacing", "ratio", "points", "time, s"];
     for quantity in quantities {
         header.push(&quantity.name);
         if !quantity.values.is_empty() && !quantity.errors.is_empty() {
@@ -79,6 +79,7 @@ pub fn levels(series: &Series, quantities: &[Quantity]) -> Listing {
             level.task.to_string(),
             number(r.horizon),
             number(r.spacing),
+            number(r.horizon / r.spacing),
             r.points.to_string(),
             format!("{:.3}", r.seconds),
         ];

@@ -75,6 +75,11 @@ impl BeamScene {
         probes::askable()
     }
 
+    /// Horizon over spacing of the first line.
+    pub(in crate::scene) fn horizon_ratio(&self) -> f64 {
+        self.beam.chains()[0].line().horizon_ratio
+    }
+
     /// Resolves a case of a beam. `folder` is where files that the case names are looked for, `faults` are those found so
     /// far; `max_memory` is in bytes.
     ///
