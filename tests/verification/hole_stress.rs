@@ -74,7 +74,6 @@ fn what_acts_beside_a_hole_leaves_its_stress_to_the_points() {
         |more: Value| json!({ "loads": [{ "traction": { "edge": "right", "uniform": [100, 0] } }, more] });
     let near = json!({ "at": { "x": 11.5, "y": 2.5 }, "uy": 0 });
     for more in [
-        load(json!({ "traction": { "edge": "hole", "uniform": [1, 0] } })),
         load(json!({ "body_force": { "density": [1, 0] } })),
         load(json!({ "point": { "at": { "x": 11.5, "y": 2.5 }, "force_x": 1 } })),
         json!({ "supports": [{ "at": { "region": "left" }, "ux": 0, "uy": 0 }, near] }),
@@ -82,6 +81,8 @@ fn what_acts_beside_a_hole_leaves_its_stress_to_the_points() {
     ] {
         assert_eq!(misfit(more.clone()), None, "{more}");
     }
+    // What acts on the hole itself is known of the fields.
+    assert!(misfit(load(json!({ "traction": { "edge": "hole", "uniform": [1, 0] } }))).is_some());
     // Far from the hole both may be.
     assert!(misfit(load(json!({ "point": { "at": { "x": 30.5, "y": 2.5 }, "force_x": 1 } }))).is_some());
 }
@@ -100,5 +101,27 @@ fn a_whole_plate_and_its_quarter_have_the_same_stress_at_a_hole() {
     ends["supports"] = json!([
         { "at": { "x": -39.5, "y": 0.5 }, "ux": 0, "uy": 0 }, { "at": { "x": 39.5, "y": 0.5 }, "uy": 0 }]);
     let [whole, quarter] = [&ends, &quarter].map(|case| solve(case).probes[0].value);
+    assert!((whole / quarter - 1.0).abs() < 1e-6, "{whole} {quarter}");
+}
+
+/// The image of a hole has the image of what acts on it: in a quarter a pressure of 10 + x/2 is one of 10 + |x|/2.
+#[test]
+fn a_load_on_a_hole_goes_on_behind_lines_of_symmetry() {
+    let loaded = |from: i32, pressure: &str, symmetry: &Value, supports: &Value| {
+        solve(&json!({
+            "title": "hole", "units": "mm-N-MPa",
+            "model": { "bond_plane": { "youngs_modulus": 70000, "state": "plane_stress" } },
+            "body": { "rectangle": { "from": [from, from], "size": [40 - from, 40 - from], "spacing": 1,
+                "holes": [{ "circle": { "name": "hole", "centre": [0, 0], "radius": 10 } }] } },
+            "symmetry": symmetry, "supports": supports,
+            "loads": [{ "traction": { "edge": "hole", "pressure": pressure } }],
+            "probes": [{ "name": "along", "at": { "x": 6, "y": 8 }, "field": "von_mises" }]
+        }))
+        .probes[0]
+            .value
+    };
+    let points = json!([{ "at": { "x": -39.5, "y": 0.5 }, "ux": 0, "uy": 0 }, { "at": { "x": 39.5, "y": 0.5 }, "uy": 0 }]);
+    let whole = loaded(-40, "10 + sqrt(x^2)/2", &json!([]), &points);
+    let quarter = loaded(0, "10 + x/2", &json!(["left", "bottom"]), &json!([]));
     assert!((whole / quarter - 1.0).abs() < 1e-6, "{whole} {quarter}");
 }

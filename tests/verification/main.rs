@@ -48,6 +48,8 @@ mod interfaces;
 mod literature;
 mod load_factor;
 mod local_limit;
+mod local_limit_corners;
+mod local_limit_holes;
 mod material_cases;
 mod materials;
 mod member_materials;

@@ -25,12 +25,14 @@ pub enum Shape {
         /// Half the width.
         radius: f64,
     },
-    /// The inside of an ellipse with its axes along x and y.
+    /// The inside of an ellipse.
     Ellipse {
         /// Its middle.
         centre: [f64; 2],
-        /// Half its axes along x and y.
+        /// Half its axes, along x and y before it is turned.
         half_axes: [f64; 2],
+        /// By how much it is turned, rad, counter-clockwise.
+        turn: f64,
         /// Its chords, whose ends are on it.
         chords: Polygon,
     },
@@ -85,11 +87,11 @@ pub enum HoleError {
 const CHORDS: usize = 512;
 
 impl Shape {
-    /// An ellipse with its axes along x and y; middle and half axes in m.
+    /// An ellipse with its axes along x and y before it is turned, rad, counter-clockwise; middle and half axes in m.
     ///
     /// # Errors
     /// [`HoleError::HalfAxis`], and [`HoleError::Polygon`] if an axis is rounding beside the other, or the middle is far away.
-    pub fn ellipse(centre: [f64; 2], half_axes: [f64; 2]) -> Result<Self, HoleError> {
+    pub fn ellipse(centre: [f64; 2], half_axes: [f64; 2], turn: f64) -> Result<Self, HoleError> {
         if let Some(axis) = (0..2).find(|&k| !(half_axes[k] > 0.0 && half_axes[k].is_finite())) {
             return Err(HoleError::HalfAxis { axis, found: half_axes[axis] });
         }
@@ -101,10 +103,13 @@ impl Shape {
             2 => -quarter(k % CHORDS - CHORDS / 2),
             _ => -quarter(CHORDS - k % CHORDS),
         };
-        let vertex =
-            |k: usize| [centre[0] + half_axes[0] * sine(k + CHORDS / 4), centre[1] + half_axes[1] * sine(k)];
+        let (s, c) = turn.sin_cos();
+        let vertex = |k: usize| {
+            let [x, y] = [half_axes[0] * sine(k + CHORDS / 4), half_axes[1] * sine(k)];
+            [centre[0] + c * x - s * y, centre[1] + s * x + c * y]
+        };
         let chords = Polygon::new((0..CHORDS).map(vertex).collect())?;
-        Ok(Self::Ellipse { centre, half_axes, chords })
+        Ok(Self::Ellipse { centre, half_axes, turn, chords })
     }
 
     /// Radius of curvature of the border next to a position, m; none on the straight sides of slots, and of polygons.
@@ -115,8 +120,9 @@ impl Shape {
                 let end = distance(position, *from).min(distance(position, *to));
                 (end <= radius * (1.0 + 1e-6)).then_some(*radius)
             }
-            Self::Ellipse { centre, half_axes: [a, b], .. } => {
-                let [x, y] = [0, 1].map(|k| position[k] - centre[k]);
+            Self::Ellipse { centre, half_axes: [a, b], turn, .. } => {
+                let ([dx, dy], (s, c)) = ([0, 1].map(|k| position[k] - centre[k]), turn.sin_cos());
+                let [x, y] = [c * dx + s * dy, c * dy - s * dx];
                 Some((a * b).powi(2) * (x * x / a.powi(4) + y * y / b.powi(4)).powf(1.5))
             }
             Self::Polygon(_) => None,
@@ -166,7 +172,7 @@ impl Shape {
             Self::Slot { from, to, radius } => {
                 Self::Slot { from: axes.inwards(*from), to: axes.inwards(*to), radius: *radius }
             }
-            // An ellipse that is turned has no axes along x and y.
+            // Fields around holes are those of lattices along x and y.
             Self::Polygon(polygon) | Self::Ellipse { chords: polygon, .. } => {
                 Self::Polygon(polygon.seen_from(axes))
             }
@@ -212,7 +218,7 @@ mod tests {
 
     #[test]
     fn an_ellipse_has_its_area_within_its_chords_and_its_tips_on_them() {
-        let shape = Shape::ellipse([3.0, -1.0], [10.0, 20.0]).unwrap();
+        let shape = Shape::ellipse([3.0, -1.0], [10.0, 20.0], 0.0).unwrap();
         let polygon = shape.polygon().unwrap();
         // n chords have n sin(2π/n)/2π of the area: 2.5e-5 of it are missing with 512.
         let area = 0.5 * CHORDS as f64 * (TAU / CHORDS as f64).sin() * 10.0 * 20.0;
@@ -224,8 +230,17 @@ mod tests {
     }
 
     #[test]
+    fn a_turned_ellipse_takes_its_tips_and_its_sharpness_along() {
+        let (s, c) = 0.6_f64.sin_cos();
+        let shape = Shape::ellipse([3.0, -1.0], [10.0, 20.0], 0.6).unwrap();
+        let tip = |share: f64| [3.0 - share * 20.0 * s, -1.0 + share * 20.0 * c];
+        assert!(shape.removes(tip(0.999)) && !shape.removes(tip(1.001)));
+        assert!((shape.radius_at(tip(1.0)).unwrap() - 5.0).abs() < 1e-12);
+    }
+
+    #[test]
     fn an_ellipse_is_sharpest_at_the_ends_of_its_longer_axis() {
-        let shape = Shape::ellipse([3.0, -1.0], [10.0, 20.0]).unwrap();
+        let shape = Shape::ellipse([3.0, -1.0], [10.0, 20.0], 0.0).unwrap();
         // a²/b and b²/a.
         assert!((shape.radius_at([3.0, 19.0]).unwrap() - 5.0).abs() < 1e-12);
         assert!((shape.radius_at([-7.0, -1.0]).unwrap() - 40.0).abs() < 1e-12);

@@ -4,18 +4,27 @@ use super::border::Border;
 use super::grid::{Grid, Node};
 use crate::recovery::hole::HoleFit;
 use crate::recovery::trefftz::{Basis, Known, LocalFit};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// Places whose distances from a centre differ by less, in spacings, are one.
 const SAME: f64 = 1e-6;
 
+/// How near to a place where stresses are infinite fits are linear, in spacings.
+const ROUGH: f64 = 4.5;
+/// How far these see, in spacings: a square its own points.
+const OWN: f64 = 1.5;
+
 /// What a fit is made of, and how many spacings it sees.
 #[derive(Clone, Debug)]
 pub(super) struct Fits {
     pub(super) basis: Basis,
+    /// Linear fields of the basis, one column each.
+    linear: DMatrix<f64>,
     reach: f64,
+    /// Where stresses are infinite, and images of these.
+    singular: Vec<[f64; 2]>,
     known: Vec<LocalFit>,
     numbers: HashMap<Vec<i32>, u32>,
 }
@@ -52,6 +61,11 @@ pub struct State<'a> {
 
 impl Around {
     pub(super) fn new(centre: [f64; 2], reach: f64, grid: &Grid, border: &Border) -> Self {
+        Self { marks: border.near(centre, reach), ..Self::of_points(centre, reach, grid) }
+    }
+
+    /// The points alone.
+    fn of_points(centre: [f64; 2], reach: f64, grid: &Grid) -> Self {
         let [columns, rows] = centre.map(|x| (x - reach).ceil() as i32..=(x + reach).floor() as i32);
         let places = rows.flat_map(|j| columns.clone().map(move |i| [i, j]));
         let is_near = |place: &[i32; 2]| {
@@ -59,13 +73,14 @@ impl Around {
             x.hypot(y) <= reach * (1.0 + SAME)
         };
         let points = places.filter(is_near).filter_map(|place| Some((place, grid.node(place)?))).collect();
-        Self { centre, points, marks: border.near(centre, reach) }
+        Self { centre, points, marks: Vec::new() }
     }
 
     /// What tells it from others: everything relative to the centre.
-    fn key(&self, border: &Border) -> Vec<i32> {
+    fn key(&self, is_rough: bool, border: &Border) -> Vec<i32> {
         let rounded = |x: f64| (x / SAME).round() as i32;
-        let mut key = Vec::with_capacity(2 * self.points.len() + 5 * self.marks.len());
+        let mut key = Vec::with_capacity(1 + 2 * self.points.len() + 5 * self.marks.len());
+        key.push(i32::from(is_rough));
         for (place, _) in &self.points {
             key.extend([0, 1].map(|k| rounded(f64::from(place[k]) - self.centre[k])));
         }
@@ -103,9 +118,15 @@ impl Around {
 
 impl Fits {
     /// Polynomials up to a degree that see so many spacings.
-    pub(super) fn new(stiffness: &[[f64; 3]; 3], degree: i32, reach: f64) -> Self {
+    pub(super) fn new(stiffness: &[[f64; 3]; 3], degree: i32, reach: f64, singular: Vec<[f64; 2]>) -> Self {
         let basis = Basis::new(stiffness, degree);
-        Self { basis, reach, known: Vec::new(), numbers: HashMap::new() }
+        let linear = basis.lower(stiffness, 1);
+        Self { basis, linear, reach, singular, known: Vec::new(), numbers: HashMap::new() }
+    }
+
+    /// Whether stresses are infinite so near to a place that polynomials of a high degree do harm.
+    pub(super) fn is_rough(&self, [x, y]: [f64; 2]) -> bool {
+        self.singular.iter().any(|[a, b]| (x - a).hypot(y - b) < ROUGH)
     }
 
     /// How far a fit sees, m.
@@ -120,20 +141,27 @@ impl Fits {
 
     /// Places with their fits, those that are new made in parallel; none where too little is known to tell one.
     pub(super) fn add(&mut self, centres: &[[f64; 2]], grid: &Grid, border: &Border) -> Option<Vec<Fitted>> {
-        let mut new: Vec<Vec<Known>> = Vec::new();
+        let mut new: Vec<(bool, Vec<Known>)> = Vec::new();
         let first = self.known.len() as u32;
         let mut fitted = Vec::with_capacity(centres.len());
         for centre in centres {
-            let around = Around::new(*centre, self.reach, grid, border);
+            let is_rough = self.is_rough(*centre);
+            let around = match is_rough {
+                true => Around::of_points(*centre, OWN, grid),
+                false => Around::new(*centre, self.reach, grid, border),
+            };
             let next = first + new.len() as u32;
-            let fit = *self.numbers.entry(around.key(border)).or_insert_with(|| {
-                new.push(around.known(self.reach, border));
+            let fit = *self.numbers.entry(around.key(is_rough, border)).or_insert_with(|| {
+                new.push((is_rough, around.known(self.reach, border)));
                 next
             });
             fitted.push(Fitted { around, fit });
         }
         let radius = self.radius(grid);
-        let made = new.par_iter().map(|known| LocalFit::new(&self.basis, radius, known));
+        let made = new.par_iter().map(|(is_rough, known)| match is_rough {
+            true => LocalFit::within(&self.linear, &self.basis, radius, known),
+            false => LocalFit::new(&self.basis, radius, known),
+        });
         self.known.extend(made.collect::<Option<Vec<_>>>()?);
         Some(fitted)
     }

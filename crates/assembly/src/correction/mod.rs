@@ -30,9 +30,6 @@ use rayon::prelude::*;
 use residual::Residual;
 use weight::Weight;
 
-/// How far from the border displacements are replaced by those of fits, which are smooth, in horizons.
-const BAND: f64 = 2.0;
-
 /// What the fits are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitting {
@@ -40,6 +37,8 @@ pub struct Fitting {
     pub degree: i32,
     /// How far they see, in spacings.
     pub reach: f64,
+    /// How far from the border displacements are replaced by theirs, which are smooth, in horizons.
+    pub band: f64,
 }
 
 /// What bounds a body, lines of symmetry left out.
@@ -51,6 +50,8 @@ pub struct Bounds<'a> {
     pub pieces: &'a [BorderPiece],
     /// Holes that have fields of their own.
     pub holes: &'a [HoleZone],
+    /// Where stresses are infinite, m.
+    pub singular: &'a [[f64; 2]],
 }
 
 /// A body whose displacements are corrected.
@@ -81,18 +82,22 @@ impl Correction {
         let (lattice, mirrors) = model.lattice()?;
         let grid = Grid::new(lattice, mirrors);
         let border = Border::new(bounds.pieces, &grid);
-        let mut fits = Fits::new(&model.stiffness(), fitting.degree, fitting.reach);
+        let singular = bounds.singular.iter().flat_map(|at| grid.images(grid.place(*at)));
+        let singular = singular.map(|(at, _)| at).collect();
+        let mut fits = Fits::new(&model.stiffness(), fitting.degree, fitting.reach, singular);
         let body = (&grid, &border, bounds.outline);
         let residual = Residual::new(body, (model.thickness(), bounds.holes), &mut fits)?;
         let weight = Weight::new(&model.stiffness(), grid.symmetric_origin())?;
-        let depth = BAND * horizon_ratio;
+        let depth = fitting.band * horizon_ratio;
         let (mut beside, mut in_holes) = (Vec::new(), Vec::new());
         for (number, place) in grid.real() {
             let place = place.map(f64::from);
             let position = grid.position(place);
             match HoleZone::at(bounds.holes, position) {
                 Some(hole) => in_holes.push((number, position, hole)),
-                None if !border.near(place, depth).is_empty() => beside.push((number, place)),
+                None if !fits.is_rough(place) && !border.near(place, depth).is_empty() => {
+                    beside.push((number, place))
+                }
                 None => {}
             }
         }

@@ -7,10 +7,10 @@ use crate::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
 use crate::model::plane::{Calibration, Edges, Mirrors};
-use crate::recovery::hole::{Ellipse, HoleFields, HoleFit};
+use crate::recovery::hole::{Ellipse, HoleFields, HoleFit, HoleLoad};
 use std::sync::Arc;
 
-const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
+const FITTING: Fitting = Fitting { degree: 4, reach: 3.0, band: 2.0 };
 
 /// No weight and no holes.
 const NOTHING: ([f64; 2], &[HoleFit]) = ([0.0; 2], &[]);
@@ -51,7 +51,7 @@ impl Plate {
             .filter(|part| !is_mirror(part))
             .map(|part| BorderPiece { part, held: [false; 2] })
             .collect();
-        let bounds = Bounds { outline, pieces: &pieces, holes };
+        let bounds = Bounds { outline, pieces: &pieces, holes, singular: &[] };
         let correction = Correction::new(&model, bounds, 2.0, FITTING).unwrap();
         let normals = correction.samples().iter().map(|sample| sample.normal).collect();
         Self { model, correction, normals }
@@ -151,7 +151,7 @@ fn what_fits_nearly_reproduce_leaves_little() {
 #[test]
 fn residuals_have_the_force_and_the_moment_of_the_tractions() {
     for outline in [rectangle(), with_holes()] {
-        let round = Ellipse { centre: [12.3, 12.1], half_axes: [5.2; 2] };
+        let round = Ellipse { centre: [12.3, 12.1], half_axes: [5.2; 2], turn: 0.0 };
         let has_zone = !outline.holes().is_empty();
         let zones = Vec::from_iter(has_zone.then_some(HoleZone { ellipse: round, level: 1.3 }));
         let plate = Plate::new(&outline, Mirrors::NONE, &zones);
@@ -159,7 +159,11 @@ fn residuals_have_the_force_and_the_moment_of_the_tractions() {
         let u: Vec<f64> = (0..2 * n).map(|k| ((k * k) as f64 * 0.37).sin()).collect();
         let fields = HoleFields::new(&plate.model.stiffness(), round, 4).unwrap();
         let near = (0..n).map(|p| (crate::model::BodyModel::place(&plate.model, p), [u[p], u[n + p]]));
-        let fit = HoleFit::new(fields, 0.0, near.filter(|(at, _)| (1.0..1.3).contains(&round.level(*at))));
+        let fit = HoleFit::new(
+            fields,
+            &HoleLoad::default(),
+            near.filter(|(at, _)| (1.0..1.3).contains(&round.level(*at))),
+        );
         let tractions = move |at: [f64; 2]| match has_zone && round.level(at) < 1.01 {
             true => ([0.0; 2], [0.0; 3]),
             false => cubic(at),

@@ -74,7 +74,7 @@ pub struct MeshBody {
 pub enum Hole {
     /// A disc.
     Circle(CircleHole),
-    /// An ellipse with its axes along x and y.
+    /// An ellipse.
     Ellipse(EllipseHole),
     /// A straight slot with round ends.
     Slot(SlotHole),
@@ -104,8 +104,11 @@ pub struct EllipseHole {
     pub name: Option<String>,
     /// Its middle.
     pub centre: [f64; 2],
-    /// Half its axes along x and y, > 0.
+    /// Half its axes, > 0: along x and y, unless it is turned.
     pub half_axes: [f64; 2],
+    /// By how much it is turned counter-clockwise, degrees; 0 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
 }
 
 /// A slot with round ends.

@@ -1,6 +1,7 @@
 //! The fields around a hole that are nearest to displacements of points.
 
-use super::{Ellipse, Field, HoleFields};
+use super::load::Outgoing;
+use super::{Ellipse, Field, HoleFields, HoleLoad};
 use nalgebra::{DMatrix, DVector};
 
 /// Rows that are taken into the triangular factor at once.
@@ -13,26 +14,26 @@ const TOLD: f64 = 1e-9;
 pub struct HoleFit {
     fields: HoleFields,
     coefficients: Vec<f64>,
-    pressure: f64,
+    outgoing: Outgoing,
     residual: f64,
 }
 
 impl HoleFit {
-    /// Fits fields to the displacements of points, each a position and `[u_x, u_y]`, m, by least squares. `pressure`, Pa, acts on
+    /// Fits fields to the displacements of points, each a position and `[u_x, u_y]`, m, by least squares. `load` acts on
     /// the hole. None for fewer equations than three times the fields, or if nothing moves.
     pub fn new(
         fields: HoleFields,
-        pressure: f64,
+        load: &HoleLoad,
         points: impl Iterator<Item = ([f64; 2], [f64; 2])>,
     ) -> Option<Self> {
-        let count = fields.count();
+        let (count, outgoing) = (fields.count(), fields.outgoing(load));
         let mut factor = Factor::new(count);
         let mut equations = 0;
         for (position, displacement) in points {
-            let pressed = fields.pressed(pressure, position).displacement;
+            let pulled = fields.field_of(&outgoing, position).displacement;
             let all = fields.at(position);
             for c in 0..2 {
-                factor.add(all.iter().map(|field| field.displacement[c]), displacement[c] - pressed[c]);
+                factor.add(all.iter().map(|field| field.displacement[c]), displacement[c] - pulled[c]);
             }
             equations += 2;
         }
@@ -41,7 +42,7 @@ impl HoleFit {
         }
         let (coefficients, misfit, strained) = factor.solve()?;
         let is_finite = coefficients.iter().all(|c| c.is_finite()) && strained > 0.0;
-        is_finite.then_some(Self { fields, coefficients, pressure, residual: misfit / strained })
+        is_finite.then_some(Self { fields, coefficients, outgoing, residual: misfit / strained })
     }
 
     /// The hole.
@@ -56,7 +57,7 @@ impl HoleFit {
 
     /// Displacement and stress at a position outside of the hole or on its border.
     pub fn at(&self, position: [f64; 2]) -> Field {
-        let mut sum = self.fields.pressed(self.pressure, position);
+        let mut sum = self.fields.field_of(&self.outgoing, position);
         for (field, share) in self.fields.at(position).iter().zip(&self.coefficients) {
             (0..2).for_each(|k| sum.displacement[k] += share * field.displacement[k]);
             (0..3).for_each(|k| sum.stress[k] += share * field.stress[k]);

@@ -4,6 +4,7 @@
 //! With `z = ω(ζ) = r (ζ + m/ζ)` no traction acts on |ζ| = 1, where conj(ζ) = 1/ζ, if
 //! `ψ = −conj(φ)(1/ζ) − ω(1/ζ) φ'(ζ)/ω'(ζ)`, so that every power `φ = c ζⁿ` has its ψ.
 
+use super::load::{HoleLoad, Outgoing};
 use super::{C, Ellipse, Field, outside};
 
 /// Potentials of an isotropic material around an ellipse.
@@ -73,16 +74,54 @@ impl Kolosov {
         }
     }
 
+    /// The potentials whose tractions on the hole are those of a load: with its coefficients g of `e^{ikθ}` the sum
+    /// `φ + ω conj(φ'/ω') + conj(ψ)` there is −i ∫ g dθ.
+    pub(super) fn outgoing(&self, load: &HoleLoad) -> Outgoing {
+        let [x, y] = load.mean();
+        let powers = load
+            .powers()
+            .map(|(n, [x, y])| [(x.conj() + C::i() * y.conj()) / n, -(x + C::i() * y).conj() / n]);
+        let first = -C::new(x, y) / (1.0 + self.kappa);
+        // The displacement has no jump around the hole.
+        Outgoing { powers: powers.collect(), logarithms: [first, -self.kappa * first.conj()] }
+    }
+
+    /// Their field at a position.
+    pub(super) fn field_of(&self, position: [f64; 2], outgoing: &Outgoing) -> Field {
+        let place = self.place(position);
+        let zeta = place.zeta;
+        let [first, second] = outgoing.logarithms;
+        let mut phi = [first * zeta.ln(), first / zeta, -first / (zeta * zeta)];
+        let mut psi = [second * zeta.ln(), second / zeta];
+        let mut power = C::new(1.0, 0.0);
+        for (k, [own, other]) in outgoing.powers.iter().enumerate() {
+            let n = (k + 1) as f64;
+            power /= zeta;
+            let slopes = [power, -n * power / zeta, n * (n + 1.0) * power / (zeta * zeta)];
+            (0..3).for_each(|d| phi[d] += own * slopes[d]);
+            (0..2).for_each(|d| psi[d] += other * slopes[d]);
+        }
+        self.sum(&place, phi, psi)
+    }
+
     /// The field of `φ = c ζⁿ`.
     fn field(&self, place: &Place, n: i32, c: C) -> Field {
-        let &Place { z, zeta, slope, curvature, ratio, ratio_slope } = place;
+        let (zeta, n_) = (place.zeta, f64::from(n));
         let power = |k: i32| zeta.powi(k);
-        let n_ = f64::from(n);
-        let phi = c * power(n);
-        let by_zeta = c * n_ * power(n - 1);
-        let twice_by_zeta = c * n_ * (n_ - 1.0) * power(n - 2);
-        let psi = -c.conj() * power(-n) - ratio * by_zeta;
-        let psi_by_zeta = c.conj() * n_ * power(-n - 1) - ratio_slope * by_zeta - ratio * twice_by_zeta;
+        let phi = [c * power(n), c * n_ * power(n - 1), c * n_ * (n_ - 1.0) * power(n - 2)];
+        self.sum(place, phi, [-c.conj() * power(-n), c.conj() * n_ * power(-n - 1)])
+    }
+
+    /// The field of φ with two derivatives by ζ and of `ψ + ω(1/ζ) φ'/ω'` with one.
+    fn sum(
+        &self,
+        place: &Place,
+        [phi, by_zeta, twice_by_zeta]: [C; 3],
+        [other, other_by_zeta]: [C; 2],
+    ) -> Field {
+        let &Place { z, slope, curvature, ratio, ratio_slope, .. } = place;
+        let psi = other - ratio * by_zeta;
+        let psi_by_zeta = other_by_zeta - ratio_slope * by_zeta - ratio * twice_by_zeta;
         let first = by_zeta / slope;
         let second = (twice_by_zeta - first * curvature) / (slope * slope);
         let u = (self.kappa * phi - z * first.conj() - psi.conj()) / self.twice_shear;

@@ -4,7 +4,9 @@
 //! On the hole ζ₁ = ζ₂, there of modulus one. No traction acts there if Φ₁ + Φ₂ and μ₁ Φ₁ + μ₂ Φ₂ have no real part there:
 //! then the parts of ζ⁻ⁿ follow from those of ζⁿ.
 
+use super::load::{HoleLoad, Outgoing};
 use super::{C, Ellipse, Field, outside};
+use nalgebra::{Matrix4, Vector4};
 
 /// Roots closer than this are moved apart, for the two potentials would be one.
 const EQUAL: f64 = 1e-3;
@@ -39,8 +41,7 @@ impl Lekhnitskii {
 
     /// Adds four fields for every power up to `order`: those of ζ₁ⁿ and ζ₂ⁿ, times 1 and i, with what they need of ζ⁻ⁿ.
     pub(super) fn add(&self, position: [f64; 2], order: usize, fields: &mut Vec<Field>) {
-        let at = self.ellipse.place_of(position);
-        let mapped = self.roots.map(|mu| outside(at.re + mu * at.im, self.ellipse.half_axes, mu));
+        let mapped = self.mapped(position);
         let [first, second] = self.roots.map(|mu| mu.conj());
         for n in 1..=order as i32 {
             for unit in [C::new(1.0, 0.0), C::i()] {
@@ -55,6 +56,57 @@ impl Lekhnitskii {
         }
     }
 
+    /// The potentials whose tractions on the hole are those of a load, with its coefficients of `e^{inθ}`: along the hole
+    /// `2 Re Σ Φ_k` is the integral of what acts along y, `2 Re Σ μ_k Φ_k` that of what acts against x.
+    pub(super) fn outgoing(&self, load: &HoleLoad) -> Outgoing {
+        let [x, y] = load.mean();
+        let [first, second] = self.roots;
+        let powers = load.powers().map(|(n, [x, y])| {
+            let (sum, moment) = (C::i() * y.conj() / n, -C::i() * x.conj() / n);
+            let other = (moment - first * sum) / (second - first);
+            [sum - other, other]
+        });
+        // The displacement has no jump around the hole: Im Σ p_k A_k = Im Σ q_k A_k = 0.
+        let [p, q] = [0, 1].map(|c| self.shares.map(|own| own[c]));
+        let rows = [[C::new(1.0, 0.0); 2], self.roots, p, q];
+        let sizes = rows.map(|row| row[0].norm());
+        let matrix = Matrix4::from_fn(|r, c| {
+            let share = rows[r][c / 2] / sizes[r];
+            if c % 2 == 0 { share.im } else { share.re }
+        });
+        let known = Vector4::new(-0.5 * y, 0.5 * x / sizes[1], 0.0, 0.0);
+        let found = matrix.lu().solve(&known).unwrap_or_default();
+        let logarithms = [C::new(found[0], found[1]), C::new(found[2], found[3])];
+        Outgoing { powers: powers.collect(), logarithms }
+    }
+
+    /// Their field at a position.
+    pub(super) fn field_of(&self, position: [f64; 2], outgoing: &Outgoing) -> Field {
+        let mapped = self.mapped(position);
+        // Both logarithms turn together: one angle, and how far each is from it.
+        let [around, _] = outside(self.ellipse.place_of(position), self.ellipse.half_axes, C::i());
+        let mut field = Field::default();
+        for k in 0..2 {
+            let [zeta, slope] = mapped[k];
+            let own = outgoing.logarithms[k];
+            let (mut potential, mut by_zeta) = (own * (around.ln() + (zeta / around).ln()), own / zeta);
+            let mut power = C::new(1.0, 0.0);
+            for (j, shares) in outgoing.powers.iter().enumerate() {
+                power /= zeta;
+                potential += shares[k] * power;
+                by_zeta -= (j + 1) as f64 * shares[k] * power / zeta;
+            }
+            self.add_potential(k, potential, by_zeta * slope, &mut field);
+        }
+        field
+    }
+
+    /// ζ_k of a position and their derivatives by z_k.
+    fn mapped(&self, position: [f64; 2]) -> [[C; 2]; 2] {
+        let at = self.ellipse.place_of(position);
+        self.roots.map(|mu| outside(at.re + mu * at.im, self.ellipse.half_axes, mu))
+    }
+
     /// The field of `Φ_k = outer_k ζ_kⁿ + inner_k ζ_k⁻ⁿ`; `mapped` are ζ_k and its derivative by z_k.
     fn field(&self, mapped: &[[C; 2]; 2], n: i32, outer: [C; 2], inner: [C; 2]) -> Field {
         let mut field = Field::default();
@@ -62,14 +114,18 @@ impl Lekhnitskii {
         for k in 0..2 {
             let [zeta, slope] = mapped[k];
             let (out, back) = (outer[k] * zeta.powi(n), inner[k] * zeta.powi(-n));
-            let (potential, by_z) = (out + back, n_ * (out - back) / zeta * slope);
-            let mu = self.roots[k];
-            (0..2).for_each(|c| field.displacement[c] += 2.0 * (self.shares[k][c] * potential).re);
-            field.stress[0] += 2.0 * (mu * mu * by_z).re;
-            field.stress[1] += 2.0 * by_z.re;
-            field.stress[2] -= 2.0 * (mu * by_z).re;
+            self.add_potential(k, out + back, n_ * (out - back) / zeta * slope, &mut field);
         }
         field
+    }
+
+    /// Adds the field of a potential Φ_k with its derivative by z_k.
+    fn add_potential(&self, k: usize, potential: C, by_z: C, field: &mut Field) {
+        let mu = self.roots[k];
+        (0..2).for_each(|c| field.displacement[c] += 2.0 * (self.shares[k][c] * potential).re);
+        field.stress[0] += 2.0 * (mu * mu * by_z).re;
+        field.stress[1] += 2.0 * by_z.re;
+        field.stress[2] -= 2.0 * (mu * by_z).re;
     }
 }
 

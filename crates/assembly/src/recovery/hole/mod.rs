@@ -8,13 +8,16 @@
 mod fit;
 mod kolosov;
 mod lekhnitskii;
+mod load;
 #[cfg(test)]
 mod tests;
 
 pub use fit::HoleFit;
+pub use load::HoleLoad;
 
 use kolosov::Kolosov;
 use lekhnitskii::Lekhnitskii;
+use load::Outgoing;
 use nalgebra::{Complex, Matrix3};
 
 /// A complex number.
@@ -23,43 +26,79 @@ type C = Complex<f64>;
 /// A material is isotropic whose compliances differ by no more from one that is.
 const ISOTROPIC: f64 = 1e-9;
 
-/// An ellipse with its axes along x and y.
+/// An ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipse {
     /// Its middle, m.
     pub centre: [f64; 2],
-    /// Half its axes along x and y, m, > 0.
+    /// Half its axes, m, > 0: along x and y before it is turned.
     pub half_axes: [f64; 2],
+    /// By how much it is turned, rad, counter-clockwise.
+    pub turn: f64,
 }
 
 impl Ellipse {
     /// How many times larger the ellipse through a position is: one on its border.
     pub fn level(&self, at: [f64; 2]) -> f64 {
-        let [x, y] = [0, 1].map(|k| (at[k] - self.centre[k]) / self.half_axes[k]);
-        x.hypot(y)
+        let [x, y] = self.own(at);
+        (x / self.half_axes[0]).hypot(y / self.half_axes[1])
     }
 
-    /// A position as a complex number from the middle.
+    /// A position from the middle along its own axes.
+    fn own(&self, at: [f64; 2]) -> [f64; 2] {
+        self.seen([0, 1].map(|k| at[k] - self.centre[k]))
+    }
+
+    /// A direction along its own axes.
+    fn seen(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (s, c) = self.turn.sin_cos();
+        [c * x + s * y, c * y - s * x]
+    }
+
+    /// A direction along its own axes along x and y.
+    fn back(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (s, c) = self.turn.sin_cos();
+        [c * x - s * y, s * x + c * y]
+    }
+
+    /// A field along its own axes along x and y.
+    fn field_back(&self, Field { displacement, stress: [xx, yy, xy] }: Field) -> Field {
+        let (s, c) = self.turn.sin_cos();
+        let (sum, difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let [cosine, sine] = [c * c - s * s, 2.0 * s * c];
+        let (half, shear) = (cosine * difference - sine * xy, sine * difference + cosine * xy);
+        Field { displacement: self.back(displacement), stress: [sum + half, sum - half, shear] }
+    }
+
+    /// Strains `[ε_xx, ε_yy, γ_xy]` along x and y of those along its own axes.
+    fn strains_back(&self) -> Matrix3<f64> {
+        let (s, c) = self.turn.sin_cos();
+        Matrix3::new(c * c, s * s, -s * c, s * s, c * c, s * c, 2.0 * s * c, -2.0 * s * c, c * c - s * s)
+    }
+
+    /// A position as a complex number from the middle, along its own axes.
     fn place_of(&self, at: [f64; 2]) -> C {
-        C::new(at[0] - self.centre[0], at[1] - self.centre[1])
+        let [x, y] = self.own(at);
+        C::new(x, y)
     }
 
     /// Places on the border, all around it, equal steps of the parametric angle apart.
-    #[cfg(test)]
     fn places(&self, count: usize) -> Vec<[f64; 2]> {
         let [a, b] = self.half_axes;
         let place = |k: usize| {
             let (s, c) = (std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
-            [self.centre[0] + a * c, self.centre[1] + b * s]
+            let [x, y] = self.back([a * c, b * s]);
+            [self.centre[0] + x, self.centre[1] + y]
         };
         (0..count).map(place).collect()
     }
 
     /// Unit normal of the ellipse through a position, away from its middle.
     pub fn normal(&self, at: [f64; 2]) -> [f64; 2] {
-        let [x, y] = [0, 1].map(|k| (at[k] - self.centre[k]) / self.half_axes[k].powi(2));
+        let own = self.own(at);
+        let [x, y] = [0, 1].map(|k| own[k] / self.half_axes[k].powi(2));
         let length = x.hypot(y);
-        [x / length, y / length]
+        self.back([x / length, y / length])
     }
 }
 
@@ -78,7 +117,6 @@ pub struct Field {
 pub struct HoleFields {
     ellipse: Ellipse,
     order: usize,
-    compliance: [[f64; 3]; 3],
     potentials: Potentials,
 }
 
@@ -93,13 +131,14 @@ impl HoleFields {
     /// stresses. None if it is not positive definite.
     pub fn new(stiffness: &[[f64; 3]; 3], ellipse: Ellipse, order: usize) -> Option<Self> {
         let matrix = Matrix3::from_fn(|r, c| 0.5 * (stiffness[r][c] + stiffness[c][r]));
-        let inverse = matrix.cholesky()?.inverse();
+        let strains = ellipse.strains_back();
+        let inverse = (strains.transpose() * matrix * strains).cholesky()?.inverse();
         let s = std::array::from_fn(|r| std::array::from_fn(|c| inverse[(r, c)]));
         let potentials = match is_isotropic(&s) {
             true => Potentials::Isotropic(Kolosov::new(&s, ellipse)),
             false => Potentials::Anisotropic(Lekhnitskii::new(&s, ellipse)?),
         };
-        Some(Self { ellipse, order, compliance: s, potentials })
+        Some(Self { ellipse, order, potentials })
     }
 
     /// The hole.
@@ -120,17 +159,28 @@ impl HoleFields {
             Potentials::Anisotropic(lekhnitskii) => lekhnitskii.add(position, self.order, &mut fields),
         }
         fields.extend([[1.0, 0.0], [0.0, 1.0]].map(|u| Field { displacement: u, stress: [0.0; 3] }));
+        if self.ellipse.turn != 0.0 {
+            fields.iter_mut().for_each(|field| *field = self.ellipse.field_back(*field));
+        }
         fields
     }
 
-    /// A pressure on the border, Pa, which it is everywhere: σ = −p I.
-    fn pressed(&self, pressure: f64, position: [f64; 2]) -> Field {
-        let stress = [-pressure, -pressure, 0.0];
-        let strain: [f64; 3] =
-            std::array::from_fn(|r| (0..3).map(|c| self.compliance[r][c] * stress[c]).sum());
-        let [x, y] = [0, 1].map(|k| position[k] - self.ellipse.centre[k]);
-        let shear = 0.5 * strain[2];
-        Field { displacement: [strain[0] * x + shear * y, shear * x + strain[1] * y], stress }
+    /// The potentials whose tractions on the hole are those of a load.
+    fn outgoing(&self, load: &HoleLoad) -> Outgoing {
+        match &self.potentials {
+            Potentials::Isotropic(kolosov) => kolosov.outgoing(load),
+            Potentials::Anisotropic(lekhnitskii) => lekhnitskii.outgoing(load),
+        }
+    }
+
+    /// Their field at a position.
+    fn field_of(&self, outgoing: &Outgoing, position: [f64; 2]) -> Field {
+        let own = match &self.potentials {
+            _ if outgoing.powers.is_empty() => Field::default(),
+            Potentials::Isotropic(kolosov) => kolosov.field_of(position, outgoing),
+            Potentials::Anisotropic(lekhnitskii) => lekhnitskii.field_of(position, outgoing),
+        };
+        self.ellipse.field_back(own)
     }
 }
 

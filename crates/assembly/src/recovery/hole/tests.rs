@@ -14,7 +14,7 @@ fn isotropic(e: f64, nu: f64) -> [[f64; 3]; 3] {
 }
 
 fn circle(radius: f64) -> Ellipse {
-    Ellipse { centre: [0.3, -0.2], half_axes: [radius; 2] }
+    Ellipse { centre: [0.3, -0.2], half_axes: [radius; 2], turn: 0.0 }
 }
 
 /// Points of a lattice between levels one and `out`.
@@ -49,8 +49,9 @@ const MATERIALS: [[f64; 4]; 4] = [
 #[test]
 fn no_field_has_tractions_on_the_hole() {
     for [e1, e2, nu, g] in MATERIALS {
-        for half_axes in [[2.0, 2.0], [1.0, 2.0], [3.0, 1.0]] {
-            let ellipse = Ellipse { centre: [0.3, -0.2], half_axes };
+        for (half_axes, turn) in [([2.0, 2.0], 0.0), ([1.0, 2.0], 0.0), ([3.0, 1.0], 0.0), ([3.0, 1.0], 0.5)]
+        {
+            let ellipse = Ellipse { centre: [0.3, -0.2], half_axes, turn };
             let fields = HoleFields::new(&orthotropic(e1, e2, nu, g), ellipse, 6).unwrap();
             for at in ellipse.places(40) {
                 let [x, y] = ellipse.normal(at);
@@ -70,7 +71,7 @@ fn stresses_are_those_of_the_displacements() {
     let h = 1e-5;
     for [e1, e2, nu, g] in MATERIALS {
         let stiffness = orthotropic(e1, e2, nu, g);
-        let ellipse = Ellipse { centre: [0.3, -0.2], half_axes: [1.0, 2.0] };
+        let ellipse = Ellipse { centre: [0.3, -0.2], half_axes: [1.0, 2.0], turn: 0.4 };
         let fields = HoleFields::new(&stiffness, ellipse, 4).unwrap();
         for at in [[2.0, 0.7], [-1.4, -1.9], [0.2, 2.9]] {
             let moved = |dx: f64, dy: f64| fields.at([at[0] + dx, at[1] + dy]);
@@ -107,7 +108,7 @@ fn under_far_stress(fields: &HoleFields, far: [f64; 3], at: [f64; 2]) -> [f64; 3
 #[test]
 fn wide_plates_concentrate_stress_as_in_closed_forms() {
     let top = |stiffness, half_axes: [f64; 2]| {
-        let ellipse = Ellipse { centre: [0.0; 2], half_axes };
+        let ellipse = Ellipse { centre: [0.0; 2], half_axes, turn: 0.0 };
         let fields = HoleFields::new(&stiffness, ellipse, 1).unwrap();
         let [xx, ..] = under_far_stress(&fields, [1.0, 0.0, 0.0], [0.0, half_axes[1]]);
         let [_, yy, _] = under_far_stress(&fields, [1.0, 0.0, 0.0], [half_axes[0], 0.0]);
@@ -147,7 +148,7 @@ fn kirsch_displacements_give_three_times_the_stress() {
     let fields = HoleFields::new(&isotropic(e, nu), hole, 4).unwrap();
     let moved = |at: [f64; 2]| kirsch([at[0] - hole.centre[0], at[1] - hole.centre[1]], 2.0, e, nu);
     let points = ring(&hole, 0.4, 2.0).into_iter().map(|at| (at, moved(at)));
-    let fit = HoleFit::new(fields, 0.0, points).unwrap();
+    let fit = HoleFit::new(fields, &HoleLoad::default(), points).unwrap();
     for (k, at) in hole.places(12).into_iter().enumerate() {
         let exact = 1.0 - 2.0 * (2.0 * std::f64::consts::TAU * k as f64 / 12.0).cos();
         // Found: 3e-14.
@@ -169,9 +170,50 @@ fn a_pressure_on_a_hole_is_that_of_a_thick_ring() {
         [radial * x / r, radial * y / r]
     };
     let points = ring(&hole, 0.4, 2.0).into_iter().map(|at| (at, moved(at)));
-    let fit = HoleFit::new(fields, p, points).unwrap();
+    let pressure = HoleLoad::new(&hole, |_, normal| normal.map(|n| -p * n));
+    let fit = HoleFit::new(fields, &pressure, points).unwrap();
     for at in hole.places(7) {
         assert!((hoop(&fit, &hole, at) - size * (1.0 + b * b / 4.0)).abs() < 1e-11);
+    }
+}
+
+/// Tractions of any kind are there, in a displacement that is one around the hole and whose stress balances them.
+#[test]
+fn tractions_on_a_hole_are_those_of_its_load() {
+    for [e1, e2, nu, g] in MATERIALS {
+        let stiffness = orthotropic(e1, e2, nu, g);
+        for (half_axes, turn) in [([2.0, 2.0], 0.0), ([1.0, 2.0], 0.0), ([1.0, 2.0], 0.7)] {
+            let ellipse = Ellipse { centre: [0.3, -0.2], half_axes, turn };
+            let traction = |[x, y]: [f64; 2], [n, m]: [f64; 2]| [1.0 - 0.3 * x * n, 0.5 * y + 0.2 * m * x];
+            let fields = HoleFields::new(&stiffness, ellipse, 1).unwrap();
+            let outgoing = fields.outgoing(&HoleLoad::new(&ellipse, traction));
+            for at in ellipse.places(40) {
+                let [x, y] = ellipse.normal(at).map(|n| -n);
+                let [xx, yy, xy] = fields.field_of(&outgoing, at).stress;
+                let expected = traction(at, [x, y]);
+                let off = (xx * x + xy * y - expected[0]).hypot(xy * x + yy * y - expected[1]);
+                assert!(off < 1e-7, "{e1} {half_axes:?}: {off:e}");
+            }
+            // Far from the cut of a logarithm, and across it, displacements strain as stresses say.
+            let h = 1e-5;
+            for angle in 0..24 {
+                let (s, c) = (f64::from(angle) * 0.2618).sin_cos();
+                let at = [0.3 + 3.0 * c, -0.2 + 2.9 * s];
+                let by = |component: usize, axis: usize| {
+                    let u = |step: f64| {
+                        let mut place = at;
+                        place[axis] += step;
+                        fields.field_of(&outgoing, place).displacement[component]
+                    };
+                    (u(h) - u(-h)) / (2.0 * h)
+                };
+                let strain = [by(0, 0), by(1, 1), by(0, 1) + by(1, 0)];
+                for (r, found) in fields.field_of(&outgoing, at).stress.into_iter().enumerate() {
+                    let stress: f64 = (0..3).map(|k| stiffness[r][k] * strain[k]).sum();
+                    assert!((stress - found).abs() < 2e-4, "{e1} {angle} {r}: {stress} {found}");
+                }
+            }
+        }
     }
 }
 
@@ -179,7 +221,7 @@ fn a_pressure_on_a_hole_is_that_of_a_thick_ring() {
 fn a_strip_concentrates_stress_as_howland_found() {
     // A strip four times as wide as its hole, pulled at ends four widths apart: tractions on its border by least squares. Howland
     // (1930) has 3.23 or 3.24 times the stress of the full section; biquadratic finite elements, converged, 3.2481.
-    let hole = Ellipse { centre: [0.0; 2], half_axes: [1.0; 2] };
+    let hole = Ellipse { centre: [0.0; 2], half_axes: [1.0; 2], turn: 0.0 };
     let fields = HoleFields::new(&isotropic(1.0, 0.3), hole, 30).unwrap();
     let (length, width, per_side) = (10.0, 4.0, 160);
     let (mut rows, mut values) = (Vec::new(), Vec::new());

@@ -41,6 +41,18 @@ impl Basis {
         self.displacement.ncols()
     }
 
+    /// Its fields up to a lower degree: their coefficients, one column each.
+    pub fn lower(&self, stiffness: &[[f64; 3]; 3], degree: i32) -> DMatrix<f64> {
+        let low = Self::new(stiffness, degree);
+        let (n, few) = (self.powers.len(), low.powers.len());
+        // Powers are in the order of their degree, and columns are orthonormal.
+        let shared = |component: usize| {
+            let own = self.displacement.rows(component * n, few);
+            own.tr_mul(&low.displacement.rows(component * few, few))
+        };
+        shared(0) + shared(1)
+    }
+
     /// The stiffness that stresses are per, Pa.
     pub fn unit(&self) -> f64 {
         self.unit

@@ -32,37 +32,19 @@ impl LocalFit {
     /// The least squares of equations that count less the farther away they are, by exp(−r²) over the radius; tractions count
     /// as the displacements of half a radius that they strain. None if the equations are not finite.
     pub fn new(basis: &Basis, radius: f64, known: &[Known]) -> Option<Self> {
-        let mut matrix = DMatrix::zeros(2 * known.len(), basis.count());
-        let mut weights = DVector::zeros(2 * known.len());
-        for (k, one) in known.iter().enumerate() {
-            let (Known::Displacement(at) | Known::Border { at, .. }) = *one;
-            let weight = (-at[0] * at[0] - at[1] * at[1]).exp();
-            let mut enter = |c: usize, row: nalgebra::RowDVector<f64>, unit: f64| {
-                matrix.row_mut(2 * k + c).copy_from(&(row * weight));
-                weights[2 * k + c] = weight * unit;
-            };
-            let moved = || basis.displacements(at);
-            match *one {
-                Known::Displacement(_) => {
-                    let rows = moved();
-                    (0..2).for_each(|c| enter(c, rows.row(c).into_owned(), 1.0));
-                }
-                Known::Border { normal: [x, y], held, .. } => {
-                    let stress = basis.stresses(at);
-                    let traction =
-                        [stress.row(0) * x + stress.row(2) * y, stress.row(2) * x + stress.row(1) * y];
-                    for (c, row) in traction.into_iter().enumerate() {
-                        match held[c] {
-                            true => enter(c, moved().row(c).into_owned(), 1.0),
-                            false => enter(c, row, radius / basis.unit()),
-                        }
-                    }
-                }
-            }
-        }
-        let mut solution = inverse(matrix)?;
+        let (matrix, weights) = equations(basis, radius, known);
+        Some(Self::weighted(inverse(matrix)?, &weights))
+    }
+
+    /// The same of some combinations of the fields alone, one column each.
+    pub fn within(combinations: &DMatrix<f64>, basis: &Basis, radius: f64, known: &[Known]) -> Option<Self> {
+        let (matrix, weights) = equations(basis, radius, known);
+        Some(Self::weighted(combinations * inverse(matrix * combinations)?, &weights))
+    }
+
+    fn weighted(mut solution: DMatrix<f64>, weights: &DVector<f64>) -> Self {
         solution.column_iter_mut().zip(weights.iter()).for_each(|(mut column, w)| column *= *w);
-        Some(Self { solution })
+        Self { solution }
     }
 
     /// Coefficients of the fields, of what is known.
@@ -72,6 +54,38 @@ impl LocalFit {
     pub fn coefficients(&self, known: &[f64]) -> DVector<f64> {
         &self.solution * DVector::from_column_slice(known)
     }
+}
+
+/// The equations of what is known, and what its numbers are multiplied by.
+fn equations(basis: &Basis, radius: f64, known: &[Known]) -> (DMatrix<f64>, DVector<f64>) {
+    let mut matrix = DMatrix::zeros(2 * known.len(), basis.count());
+    let mut weights = DVector::zeros(2 * known.len());
+    for (k, one) in known.iter().enumerate() {
+        let (Known::Displacement(at) | Known::Border { at, .. }) = *one;
+        let weight = (-at[0] * at[0] - at[1] * at[1]).exp();
+        let mut enter = |c: usize, row: nalgebra::RowDVector<f64>, unit: f64| {
+            matrix.row_mut(2 * k + c).copy_from(&(row * weight));
+            weights[2 * k + c] = weight * unit;
+        };
+        let moved = || basis.displacements(at);
+        match *one {
+            Known::Displacement(_) => {
+                let rows = moved();
+                (0..2).for_each(|c| enter(c, rows.row(c).into_owned(), 1.0));
+            }
+            Known::Border { normal: [x, y], held, .. } => {
+                let stress = basis.stresses(at);
+                let traction = [stress.row(0) * x + stress.row(2) * y, stress.row(2) * x + stress.row(1) * y];
+                for (c, row) in traction.into_iter().enumerate() {
+                    match held[c] {
+                        true => enter(c, moved().row(c).into_owned(), 1.0),
+                        false => enter(c, row, radius / basis.unit()),
+                    }
+                }
+            }
+        }
+    }
+    (matrix, weights)
 }
 
 /// The inverse in the sense of least squares: of the triangle of a factor, which is small.

@@ -15,7 +15,7 @@ use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::recovery::hole::{Field, HoleFit};
 
 /// Polynomials of the fourth degree over three spacings: 18 fields of 32 points.
-const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
+const FITTING: Fitting = Fitting { degree: 4, reach: 3.0, band: 2.0 };
 /// A correction is not taken whose energy norm is a larger part of the one before it.
 const STALLED: f64 = 0.5;
 /// Corrections below this part of the displacements are rounding, which neither falls nor does harm.
@@ -60,7 +60,7 @@ impl<'a> Local<'a> {
         let ratio = scene.material().about().horizon_ratio;
         let rings = HoleRing::of(scene).into_iter().filter_map(|ring| Some((ring.zone()?, ring)));
         let (holes, rings): (Vec<HoleZone>, Vec<HoleRing>) = rings.unzip();
-        let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes };
+        let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes, singular: &limit.singular };
         let places = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();
         let points: Vec<usize> = if recover { scene.real_points().collect() } else { Vec::new() };
         let made = Correction::new(model, bounds, ratio, FITTING).and_then(|correction| {
@@ -100,10 +100,13 @@ impl<'a> Local<'a> {
         for _ in 0..self.limit.corrections.min(most) {
             let around = self.around(state, &u)?;
             let now = around.state(&u, points);
-            let residual = self.correction.residual(now);
+            // No moments act on points that turn.
+            let mut residual = self.correction.residual(now);
+            residual.resize(u.len(), 0.0);
             let step = solve(&residual);
             let norm = step.iter().zip(&residual).map(|(d, r)| d * r).sum::<f64>().max(0.0).sqrt();
-            let is_rounding = scan::largest(&step) <= ROUNDING * scan::largest(&u);
+            let largest = |u: &[f64]| scan::largest(&u[..2 * points]);
+            let is_rounding = largest(&step) <= ROUNDING * largest(&u);
             if norm > STALLED * before && !is_rounding {
                 done.stalled = true;
                 break;
@@ -111,7 +114,7 @@ impl<'a> Local<'a> {
             before = norm;
             let mut next = self.correction.smooth(now);
             next.iter_mut().zip(&step).for_each(|(u, d)| *u += d);
-            done.sizes.push(scan::largest(&step) / scan::largest(&next).max(f64::MIN_POSITIVE));
+            done.sizes.push(largest(&step) / largest(&next).max(f64::MIN_POSITIVE));
             u = next;
         }
         self.move_back(state, &mut u);
@@ -177,6 +180,11 @@ impl<'a> Local<'a> {
                 (0..2).for_each(|c| u[c * n + point] += share * by[c]);
             }
         }
+        let turn: f64 =
+            shares.iter().zip(&free.motions).map(|(share, motion)| share * free.turn(*motion)).sum();
+        if let Some((component, turning)) = model.turning() {
+            u[component * n..(component + 1) * n].iter_mut().for_each(|phi| *phi += turning * turn);
+        }
     }
 }
 
@@ -202,6 +210,10 @@ fn fill_images(scene: &BodyScene, u: &mut [f64]) {
     for &ghost in scene.model.ghosts() {
         let (cell, signs) = mirrors.image(lattice.cell(ghost as usize));
         let Some(real) = lattice.number(cell) else { continue };
-        (0..2).for_each(|c| u[c * n + ghost as usize] = signs[c] * u[c * n + real]);
+        for c in 0..u.len() / n {
+            // Points that turn do so the other way.
+            let sign = if c < 2 { signs[c] } else { signs[0] * signs[1] };
+            u[c * n + ghost as usize] = sign * u[c * n + real];
+        }
     }
 }

@@ -1,12 +1,14 @@
 //! Rings of points around round holes, whose displacements tell the stress on the hole.
 
+use super::load::sums::BodyLoads;
+use super::load::traction::on_border::OnBorder;
 use super::scene::{BodyScene, BodyState};
-use crate::case::{Load, Names, number};
+use super::site::boundary::Border;
 use crate::model::Surface;
-use peristat_assembly::body::{BorderMember, BorderPart, Outline, Shape};
+use peristat_assembly::body::{BorderPart, Outline, Shape};
 use peristat_assembly::correction::HoleZone;
 use peristat_assembly::model::plane::Calibration;
-use peristat_assembly::recovery::hole::{Ellipse, HoleFields, HoleFit};
+use peristat_assembly::recovery::hole::{Ellipse, HoleFields, HoleFit, HoleLoad};
 
 /// Outer over inner radius of a ring.
 const WIDEST: f64 = 2.0;
@@ -20,12 +22,12 @@ const MOST_POINTS: usize = 4000;
 const ON_BORDER: f64 = 1e-6;
 /// Places of a border at which its distance is measured.
 const PLACES: usize = 64;
-/// Horizons around a hole whose points its own pressure loads.
+/// Horizons around a hole whose points its own tractions load.
 const OWN: f64 = 3.0;
 /// Forces are none below this share of the largest.
 const NO_FORCE: f64 = 1e-12;
 
-/// Points around a round hole that nothing but a pressure on it acts on.
+/// Points around a round hole that nothing but tractions on it acts on.
 #[derive(Clone, Debug)]
 pub struct HoleRing {
     ellipse: Ellipse,
@@ -35,8 +37,8 @@ pub struct HoleRing {
     mirrors: [bool; 2],
     /// Outer over inner radius.
     reach: f64,
-    /// Pressure on the hole at a factor of one, by load case, Pa.
-    pressures: Vec<f64>,
+    /// Tractions on the hole at a factor of one, by load case.
+    loads: Vec<HoleLoad>,
 }
 
 impl HoleRing {
@@ -61,8 +63,8 @@ impl HoleRing {
         };
         let ring = |k: usize| {
             let ellipse = match outline.holes()[k].shape {
-                Shape::Circle { centre, radius } => Ellipse { centre, half_axes: [radius; 2] },
-                Shape::Ellipse { centre, half_axes, .. } => Ellipse { centre, half_axes },
+                Shape::Circle { centre, radius } => Ellipse { centre, half_axes: [radius; 2], turn: 0.0 },
+                Shape::Ellipse { centre, half_axes, turn, .. } => Ellipse { centre, half_axes, turn },
                 Shape::Slot { .. } | Shape::Polygon(_) => return None,
             };
             (is_corrected || asked(&ellipse)).then(|| Self::new(scene, outline, k, ellipse)).flatten()
@@ -72,11 +74,19 @@ impl HoleRing {
 
     fn new(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: Ellipse) -> Option<Self> {
         let radius = ellipse.half_axes[0].min(ellipse.half_axes[1]);
-        let pressures = pressures(scene, outline, hole)?;
-        let mirrors = mirrors(scene, &ellipse);
+        let sides = sides(scene, &ellipse);
+        let loads = loads(scene, hole, (&ellipse, sides));
+        let mirrors = sides.map(|side| side != 0.0);
+        // The image of one that stands askew is another one.
+        if mirrors.contains(&true)
+            && (2.0 * ellipse.turn).sin().abs() > ON_BORDER
+            && ellipse.half_axes[0] != ellipse.half_axes[1]
+        {
+            return None;
+        }
         let free = to_other_borders(scene, outline, hole, &ellipse) - scene.horizon() / radius;
         let mut inside = WIDEST.min(free);
-        let own = match pressures.iter().any(|p| *p != 0.0) {
+        let own = match loads.iter().any(|load| !load.is_zero()) {
             true => 1.0 + OWN * scene.horizon() / radius,
             false => 1.0,
         };
@@ -99,7 +109,7 @@ impl HoleRing {
         let points: Vec<usize> = scene.real_points().filter(|p| (1.0..inside).contains(&level(*p))).collect();
         let step = points.len().div_ceil(MOST_POINTS).max(1);
         let points = points.into_iter().step_by(step).map(|p| p as u32).collect();
-        Some(Self { ellipse, points, mirrors, reach: inside, pressures })
+        Some(Self { ellipse, points, mirrors, reach: inside, loads })
     }
 
     /// Where its fields take the place of polynomials: well within the ring that they are fitted to. None where there are too few
@@ -120,9 +130,8 @@ impl HoleRing {
     /// The fields nearest to the displacements of a state.
     pub(crate) fn fit(&self, scene: &BodyScene, state: &BodyState, u: &[f64]) -> Option<HoleFit> {
         let n = scene.model.points();
-        // What steps have of their own are formulas: none acts here.
-        let of_case = |&(k, factor): &(usize, f64)| Some(factor * self.pressures.get(k)?);
-        let pressure = state.terms.iter().filter_map(of_case).sum();
+        let mut load = HoleLoad::default();
+        state.terms.iter().for_each(|&(k, factor)| load.add_multiple(factor, &self.loads[k]));
         let signs = |mirrored: bool| if mirrored { &[1.0, -1.0][..] } else { &[1.0] };
         let images: Vec<[f64; 2]> = signs(self.mirrors[0])
             .iter()
@@ -140,7 +149,7 @@ impl HoleRing {
         let stiffness = scene.model.as_plane()?.stiffness_at(*self.points.first()? as usize);
         ORDERS.into_iter().find_map(|order| {
             let fields = HoleFields::new(&stiffness, self.ellipse, order)?;
-            HoleFit::new(fields, pressure, self.points.iter().flat_map(moved))
+            HoleFit::new(fields, &load, self.points.iter().flat_map(moved))
         })
     }
 }
@@ -150,33 +159,34 @@ pub(crate) fn is_on(ellipse: &Ellipse, at: [f64; 2]) -> bool {
     (ellipse.level(at) - 1.0).abs() <= ON_BORDER
 }
 
-/// Pressures on a hole by load case; none if another traction acts on it.
-fn pressures(scene: &BodyScene, outline: &Outline, hole: usize) -> Option<Vec<f64>> {
-    let case = &scene.case;
-    let acts = |edge: &Names| {
-        let mut members = edge.each().iter().filter_map(|name| outline.members(name)).flatten();
-        members.any(|member| member == BorderMember::Hole(hole))
+/// Tractions on a hole by load case; beyond lines of symmetry those of the image.
+fn loads(scene: &BodyScene, hole: usize, (ellipse, sides): (&Ellipse, [f64; 2])) -> Vec<HoleLoad> {
+    let acts = |on: &&OnBorder| matches!(on.border, Border::Curved { hole: Some(k), .. } if k == hole);
+    let of_case = |loads: &BodyLoads| {
+        let mine: Vec<&OnBorder> = loads.on_border.iter().filter(acts).collect();
+        HoleLoad::new(ellipse, |at, normal| {
+            let away = [0, 1].map(|k| at[k] - ellipse.centre[k]);
+            let signs = [0, 1].map(|k| if sides[k] * away[k] < 0.0 { -1.0 } else { 1.0 });
+            let at = [0, 1].map(|k| ellipse.centre[k] + signs[k] * away[k]);
+            let normal = [0, 1].map(|k| signs[k] * normal[k]);
+            mine.iter().fold([0.0; 2], |sum, on| {
+                // On a hole every place is like any other.
+                let traction = on.profile.at(0.0, at, normal);
+                [0, 1].map(|k| sum[k] + signs[k] * traction[k])
+            })
+        })
     };
-    let of_loads = |loads: &[Load]| {
-        let mine = loads.iter().filter_map(|load| match load {
-            Load::Traction(traction) if traction.edge.as_ref().is_some_and(acts) => {
-                Some(number(traction.pressure.as_ref()))
-            }
-            _ => None,
-        });
-        mine.sum::<Option<f64>>()
-    };
-    match case.load_cases.is_empty() {
-        true => Some(vec![of_loads(&case.loads)?]),
-        false => case.load_cases.iter().map(|c| of_loads(&c.loads)).collect(),
-    }
+    scene.load_cases.iter().map(of_case).collect()
 }
 
-/// Whether lines of symmetry run through the middle of a hole.
-fn mirrors(scene: &BodyScene, ellipse: &Ellipse) -> [bool; 2] {
+/// On which sides of its middle a hole has the body, along x and along y, where lines of symmetry run through it; zero where none does.
+fn sides(scene: &BodyScene, ellipse: &Ellipse) -> [f64; 2] {
     [0, 1].map(|k| {
         let at = &scene.inputs.symmetry.at[2 * k..2 * k + 2];
-        at.iter().flatten().any(|at| (at - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
+        let runs = |at: Option<f64>| {
+            at.is_some_and(|at| (at - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
+        };
+        f64::from(u8::from(runs(at[0]))) - f64::from(u8::from(runs(at[1])))
     })
 }
 

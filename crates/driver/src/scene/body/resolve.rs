@@ -158,7 +158,7 @@ impl BodyScene {
             conditions: &conditions,
             supports: &supports,
         };
-        let limit = LocalLimit::resolve(&site, &load_cases, max_memory, faults);
+        let limit = LocalLimit::resolve(&site, (&load_cases, &states), max_memory, faults);
         strengths::check(case, &*inputs.material, faults);
         let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();

@@ -32,7 +32,7 @@ fn outlines() -> Vec<(&'static str, Outline)> {
     let angle = [[0.1, 0.0], [17.0, 2.0], [16.2, 9.0], [9.3, 8.1], [8.4, 18.0], [-0.7, 17.0]];
     vec![
         ("hole", pierced(rectangle(), vec![circle])),
-        ("ellipse", pierced(rectangle(), vec![Shape::ellipse([9.4, 5.7], [5.2, 2.6]).unwrap()])),
+        ("ellipse", pierced(rectangle(), vec![Shape::ellipse([9.4, 5.7], [5.2, 2.6], 0.0).unwrap()])),
         ("window", pierced(rectangle(), vec![Shape::Polygon(window)])),
         ("quadrilateral", oblique),
         ("L", Outline::polygon(angle.to_vec()).unwrap()),

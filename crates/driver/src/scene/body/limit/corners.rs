@@ -17,27 +17,24 @@ const BESIDE: f64 = 1e-3;
 /// Part of a unit vector below which it is across another.
 const ACROSS: f64 = 1e-6;
 
-/// Adds a fault for each kind of them that the border has; a line of symmetry is a whole side, and meets no edge at more than 90°.
-pub(super) fn check(pieces: &[BorderPiece], spacing: f64, faults: &mut Faults) {
-    let ends: Vec<End> =
-        pieces.iter().flat_map(|piece| [0.0, 1.0].map(|share| End::new(piece, share))).collect();
-    let pairs = ends.iter().enumerate().flat_map(|(k, end)| {
-        let others = ends[k + 1..].iter().filter(|other| other.is_here(end, SAME * spacing));
-        others.map(move |other| (end, other))
-    });
+/// Free corners that turn into the body, beside which fits are rough; a fault for each kind of others that the border has. A line of
+/// symmetry is a whole side, and meets no edge at more than 90°.
+pub(super) fn check(pieces: &[BorderPiece], spacing: f64, faults: &mut Faults) -> Vec<[f64; 2]> {
+    let mut singular = Vec::new();
     let mut told: Vec<&str> = Vec::new();
-    for (one, other) in pairs {
-        let (angle, most) = (one.angle(other), one.side.most(other.side));
-        let is_smooth = one.held == other.held && (angle - 180.0).abs() <= SMOOTH.asin().to_degrees();
-        if is_smooth || angle <= most + SMOOTH.asin().to_degrees() * f64::from(u8::from(most > 0.0)) {
+    for [one, other] in pairs(pieces, spacing) {
+        let (angle, most) = (one.angle(&other), one.side.most(other.side));
+        if one.is_continued_by(&other)
+            || angle <= most + SMOOTH.asin().to_degrees() * f64::from(u8::from(most > 0.0))
+        {
+            continue;
+        }
+        if (one.side, other.side) == (Side::Free, Side::Free) {
+            singular.push(one.at);
             continue;
         }
         let [x, y] = one.at.map(tidy);
         let (what, hint) = match (one.side, other.side) {
-            (Side::Free, Side::Free) => (
-                format!("in the corner at ({x}, {y}), which turns into it"),
-                "round the corner by an arc of several spacings, or leave `limit` out",
-            ),
             (Side::Clamped, Side::Free) | (Side::Free, Side::Clamped) => (
                 format!("at ({x}, {y}), where a clamped edge meets another one"),
                 "hold the edge across its line alone, with one point held along it, or leave `limit` out",
@@ -56,6 +53,35 @@ pub(super) fn check(pieces: &[BorderPiece], spacing: f64, faults: &mut Faults) {
             faults.error(root("limit"), message).hint(hint);
         }
     }
+    warn(&singular, faults);
+    singular
+}
+
+/// Adds a warning about corners that turn into the body.
+fn warn(singular: &[[f64; 2]], faults: &mut Faults) {
+    let Some([x, y]) = singular.first().map(|at| at.map(tidy)) else { return };
+    let others = match singular.len() - 1 {
+        0 => String::new(),
+        more => format!(" and in {more} more"),
+    };
+    faults
+        .warning(
+            root("limit"),
+            format!("stresses are infinite in the corner at ({x}, {y}){others}, which turns into the body: one correction is all that does no harm, the error remains of the order of the spacing, and within five spacings stresses are those of the grid"),
+        )
+        .hint("round the corner by an arc of several spacings");
+}
+
+/// Ends of pieces that meet.
+pub(super) fn pairs(pieces: &[BorderPiece], spacing: f64) -> impl Iterator<Item = [End; 2]> {
+    let pieces = pieces.iter().enumerate();
+    let ends: Vec<End> = pieces.flat_map(|piece| [0.0, 1.0].map(|share| End::new(piece, share))).collect();
+    let count = ends.len();
+    let of = move |k: usize| {
+        let others = ends[k + 1..].iter().filter(|other| other.is_here(&ends[k], SAME * spacing));
+        others.map(|other| [ends[k], *other]).collect::<Vec<_>>()
+    };
+    (0..count).flat_map(of)
 }
 
 /// What is known on a side of a corner.
@@ -100,24 +126,41 @@ impl Side {
 }
 
 /// An end of a piece: where it is, how the piece goes on from it, its normal, and what is known on it.
-struct End {
-    at: [f64; 2],
-    along: [f64; 2],
-    normal: [f64; 2],
-    held: [bool; 2],
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    /// Number of the piece; none of a line of symmetry.
+    pub(super) piece: Option<usize>,
+    pub(super) share: f64,
+    pub(super) at: [f64; 2],
+    pub(super) along: [f64; 2],
+    pub(super) normal: [f64; 2],
+    pub(super) held: [bool; 2],
     side: Side,
 }
 
 impl End {
-    fn new(BorderPiece { part, held }: &BorderPiece, share: f64) -> Self {
+    pub(super) fn new((number, BorderPiece { part, held }): (usize, &BorderPiece), share: f64) -> Self {
         let (at, next) = (part.at(share), part.at((share - BESIDE).abs()));
         let d = [0, 1].map(|k| next[k] - at[k]);
         let (length, normal) = (d[0].hypot(d[1]), part.normal(share));
-        Self { at, along: d.map(|x| x / length), normal, held: *held, side: Side::of(*held, normal) }
+        let along = d.map(|x| x / length);
+        Self { piece: Some(number), share, at, along, normal, held: *held, side: Side::of(*held, normal) }
+    }
+
+    /// A place of a line of symmetry across an axis.
+    pub(super) fn of_line(axis: usize, at: [f64; 2]) -> Self {
+        let [normal, along] = [0, 1].map(|k| [0, 1].map(|c| if (c == axis) == (k == 0) { 1.0 } else { 0.0 }));
+        let held = [axis == 0, axis == 1];
+        Self { piece: None, share: 0.0, at, along, normal, held, side: Side::Across }
     }
 
     fn is_here(&self, other: &Self, tolerance: f64) -> bool {
         (self.at[0] - other.at[0]).hypot(self.at[1] - other.at[1]) <= tolerance
+    }
+
+    /// Whether the border goes on smoothly from here with another piece, on which as much is known.
+    pub(super) fn is_continued_by(&self, other: &Self) -> bool {
+        self.held == other.held && (self.angle(other) - 180.0).abs() <= SMOOTH.asin().to_degrees()
     }
 
     /// The angle of the body between this piece and another one, degrees.

@@ -1,6 +1,8 @@
 //! The limit of local elasticity: what is known on the border of a body whose displacements are corrected, and which bodies can be.
 
+mod bearing;
 mod corners;
+mod jumps;
 mod refuse;
 mod supports;
 
@@ -12,6 +14,7 @@ use super::scene::BodyState;
 use super::site::boundary::{self, Border};
 use crate::diagnostic::{Faults, root};
 use crate::memory;
+use crate::scene::Resultant;
 use crate::scene::prescribed::Motion;
 use peristat_assembly::body::{BorderMember, BorderPart, Edge, Outline, in_space};
 use peristat_assembly::correction::{BorderPiece, Sample};
@@ -31,6 +34,8 @@ pub(crate) struct LocalLimit {
     tractions: Vec<Vec<Acting>>,
     /// What supports prescribe along edges, by member and axis.
     held: Vec<(BorderMember, usize, Motion)>,
+    /// Where stresses are infinite, m.
+    pub(crate) singular: Vec<[f64; 2]>,
     /// Rigid motions that nothing but points holds.
     pub(crate) free: FreeMotions,
 }
@@ -49,7 +54,7 @@ impl LocalLimit {
     /// stands against it.
     pub(super) fn resolve(
         site: &HeldBody,
-        loads: &[BodyLoads],
+        (loads, states): (&[BodyLoads], &[BodyState]),
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
@@ -61,41 +66,48 @@ impl LocalLimit {
         let corrections = case.corrections.unwrap_or(USUAL);
         let outline = refuse::body(site, faults)?;
         refuse::loads(case, faults);
+        refuse::rotations(case, faults);
         let weights: Vec<[f64; 3]> = loads.iter().map(|loads| loads.weight).collect();
         refuse::weight(&weights, site, faults);
         let held = supports::along_border(site, outline, faults);
         let (members, pieces) = pieces(outline, site, &held);
         let free = supports::check(site, &held, outline, faults);
-        corners::check(&pieces, site.ground.body.spacing(), faults);
+        bearing::check(site, &free, &resultants(loads, states), faults);
+        let singular = corners::check(&pieces, site.ground.body.spacing(), faults);
         if !fits(&pieces, site, max_memory, faults) {
             return None;
         }
         let mut acting =
             |on: &[OnBorder]| on.iter().filter_map(|on| Acting::new(on, outline, faults)).collect();
         let tractions = loads.iter().map(|loads| acting(&loads.on_border)).collect();
-        Some(Self { corrections, pieces, members, tractions, held, free })
+        let corrections = if singular.is_empty() { corrections } else { corrections.min(1) };
+        let limit = Self { corrections, singular, pieces, members, tractions, held, free };
+        if !faults.has_errors() {
+            jumps::check(&limit, site, states, faults);
+        }
+        Some(limit)
     }
 
     /// What is known of a state at samples of the border, by axes: the displacement where it is held, m, else the traction, Pa.
     pub(crate) fn known(&self, state: &BodyState, samples: &[Sample]) -> Vec<[f64; 2]> {
-        let at = |sample: &Sample| {
-            let member = self.members[sample.piece];
-            let terms = state.terms.iter().flat_map(|&(case, factor)| {
-                let own = self.tractions[case].iter().filter(move |acting| acting.member == member);
-                own.map(move |acting| (acting, factor))
-            });
-            let mut known = terms.fold([0.0; 2], |sum, (acting, factor)| {
-                let traction = acting.at(sample);
-                [0, 1].map(|k| sum[k] + factor * traction[k])
-            });
-            for (_, axis, motion) in self.held.iter().filter(|held| held.0 == member) {
-                let value = motion.values(in_space(sample.at), None).ok();
-                known[*axis] =
-                    value.and_then(|v| v.first().copied()).unwrap_or(f64::NAN) * state.motion_factor;
-            }
-            known
-        };
-        samples.iter().map(at).collect()
+        samples.iter().map(|sample| self.known_at(state, sample)).collect()
+    }
+
+    fn known_at(&self, state: &BodyState, sample: &Sample) -> [f64; 2] {
+        let member = self.members[sample.piece];
+        let terms = state.terms.iter().flat_map(|&(case, factor)| {
+            let own = self.tractions[case].iter().filter(move |acting| acting.member == member);
+            own.map(move |acting| (acting, factor))
+        });
+        let mut known = terms.fold([0.0; 2], |sum, (acting, factor)| {
+            let traction = acting.at(sample);
+            [0, 1].map(|k| sum[k] + factor * traction[k])
+        });
+        for (_, axis, motion) in self.held.iter().filter(|held| held.0 == member) {
+            let value = motion.values(in_space(sample.at), None).ok();
+            known[*axis] = value.and_then(|v| v.first().copied()).unwrap_or(f64::NAN) * state.motion_factor;
+        }
+        known
     }
 }
 
@@ -118,6 +130,16 @@ impl Acting {
         let [x, y, _] = self.profile.at(place, sample.at, sample.normal);
         [x, y]
     }
+}
+
+/// The states with the resultants of their loads as they are asked for.
+fn resultants<'a>(loads: &[BodyLoads], states: &'a [BodyState]) -> Vec<(&'a BodyState, Resultant)> {
+    let of = |state: &'a BodyState| {
+        let mut sum = Resultant::default();
+        state.terms.iter().for_each(|&(case, factor)| sum.add_multiple(factor, &loads[case].asked));
+        (state, sum)
+    };
+    states.iter().map(of).collect()
 }
 
 /// What a point and its square read, bytes.

@@ -43,7 +43,8 @@ pub(super) fn body<'a>(site: &HeldBody<'a>, faults: &mut Faults) -> Option<&'a O
         tell("at cracks, and where bonds fail, stresses have no polynomials to correct them by", LEAVE);
     }
     let about = site.inputs.material.about();
-    let moves_in_plane = about.components == ["ux", "uy"] && about.surface == Surface::Flat;
+    let moves_in_plane =
+        matches!(about.components, ["ux", "uy"] | ["ux", "uy", "phi"]) && about.surface == Surface::Flat;
     if !moves_in_plane {
         tell("its points do more than move in their plane", LEAVE);
     }
@@ -106,6 +107,19 @@ pub(super) fn weight(weights: &[[f64; 3]], site: &HeldBody, faults: &mut Faults)
         faults
             .error(root("limit"), "a line of symmetry stands across the weight: behind it things would fall the other way, and `local` has no stress of that")
             .hint("hold the side by a support, or leave `limit` out");
+    }
+}
+
+/// Faults of supports that hold rotations of points.
+pub(super) fn rotations(case: &Case, faults: &mut Faults) {
+    let held = case.supports.iter().position(|support| support.phi.is_some());
+    if let Some(k) = held {
+        faults
+            .error(
+                root("supports").index(k).key("phi"),
+                "the limit `local` knows no rotations of points: local elasticity has none",
+            )
+            .hint("hold the edge by its displacements alone");
     }
 }
 

@@ -5,10 +5,11 @@
 //! rigid one, and that is taken back.
 
 use crate::diagnostic::{Faults, root};
+use crate::scene::Resultant;
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::boundary::is_left_out;
 use crate::scene::prescribed::Motion;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use peristat_assembly::body::{BorderMember, Outline};
 
 /// Singular values of what holds rigid motions that are smaller, relative to the largest, are zero.
@@ -32,6 +33,33 @@ impl FreeMotions {
     pub(crate) fn at(&self, [x, y, turn]: [f64; 3], at: [f64; 2]) -> [f64; 2] {
         let [dx, dy] = [0, 1].map(|k| (at[k] - self.origin[k]) / self.size);
         [x - turn * dy, y + turn * dx]
+    }
+
+    /// By how much a motion turns the body, rad.
+    pub(crate) fn turn(&self, [_, _, turn]: [f64; 3]) -> f64 {
+        turn / self.size
+    }
+
+    /// Work of a resultant on a motion.
+    pub(super) fn work(&self, [x, y, turn]: [f64; 3], load: &Resultant) -> f64 {
+        let ([force_x, force_y, _], moment) = (load.force(), load.moment()[2]);
+        let about = moment - self.origin[0] * force_y + self.origin[1] * force_x;
+        x * force_x + y * force_y + turn * about / self.size
+    }
+
+    /// What points hold of the motions, one row each, and where these are.
+    pub(super) fn works(&self, site: &HeldBody) -> (DMatrix<f64>, Vec<[f64; 2]>) {
+        let holds = self.holds.iter().map(|k| &site.conditions.holds[*k]);
+        let points = holds.flat_map(|hold| hold.points.iter().map(|point| (*point as usize, hold.direction)));
+        let held: Vec<([f64; 2], [f64; 3])> =
+            points.map(|(point, direction)| (site.model.place(point), direction)).collect();
+        let work = |r: usize, c: usize| {
+            let ((at, direction), motion) = (&held[r], self.motions[c]);
+            let [x, y] = self.at(motion, *at);
+            direction[0] * x + direction[1] * y
+        };
+        let works = DMatrix::from_fn(held.len(), self.motions.len(), work);
+        (works, held.into_iter().map(|(at, _)| at).collect())
     }
 }
 
@@ -114,10 +142,9 @@ pub(super) fn check(
             )
             .hint(HOLD);
     }
-    let works = works(site, &free);
-    let rank = works.clone().svd(false, false).singular_values.iter().filter(|value| **value > NONE).count();
-    let points: usize = free.holds.iter().map(|k| site.conditions.holds[*k].points.len()).sum();
-    if rank < points {
+    let (works, places) = free.works(site);
+    let is_empty = works.is_empty();
+    if is_empty != places.is_empty() || !is_empty && works.rank(NONE) < places.len() {
         faults
             .error(root("supports"), "the limit `local` needs points that hold rigid motions alone: where they hold more, stresses are infinite")
             .hint(HOLD);
@@ -155,25 +182,4 @@ fn left(
     let Some(vectors) = svd.v_t else { return Vec::new() };
     let free = (0..3).filter(|k| svd.singular_values[*k] <= NONE);
     free.map(|k| [vectors[(k, 0)], vectors[(k, 1)], vectors[(k, 2)]]).collect()
-}
-
-/// What points hold of the free motions, one row each.
-fn works(site: &HeldBody, free: &FreeMotions) -> DMatrix<f64> {
-    let holds = free.holds.iter().map(|k| &site.conditions.holds[*k]);
-    let rows = holds.flat_map(|hold| {
-        let of = |point: &u32| {
-            let at = site.model.place(*point as usize);
-            let row = free.motions.iter().map(|motion| {
-                let [x, y] = free.at(*motion, at);
-                hold.direction[0] * x + hold.direction[1] * y
-            });
-            DVector::from_iterator(free.motions.len(), row).transpose()
-        };
-        hold.points.iter().map(of).collect::<Vec<_>>()
-    });
-    let rows: Vec<_> = rows.collect();
-    match rows.is_empty() || free.motions.is_empty() {
-        true => DMatrix::zeros(1, 1),
-        false => DMatrix::from_rows(&rows),
-    }
 }

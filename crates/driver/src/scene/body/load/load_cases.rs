@@ -60,9 +60,7 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
         resolved.by_formula |= on_borders.iter().any(|t| t.profile.is_formula());
         on_borders.iter().for_each(|t| resolved.asked.add_multiple(1.0, &asked::of_traction(t, context)));
         add::add(&on_borders, context, &mut resolved, faults);
-        if context.ground.case.is_corrected() {
-            resolved.on_border = on_borders;
-        }
+        resolved.on_border = on_borders;
         resolved
     };
     states::load_cases(context.ground.case, resolve, faults)

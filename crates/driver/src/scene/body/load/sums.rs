@@ -30,7 +30,7 @@ pub struct BodyLoads {
     pub(crate) eigenstrain: Option<Eigenstrain>,
     /// The force per volume that was asked for on the whole body, however it acts.
     pub(crate) weight: [f64; 3],
-    /// Tractions as the case gives them, where their values on the border are asked for.
+    /// Tractions as the case gives them.
     pub(crate) on_border: Vec<OnBorder>,
     /// Whether formulas give forces on a border.
     pub(crate) by_formula: bool,

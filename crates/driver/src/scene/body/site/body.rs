@@ -230,7 +230,9 @@ fn cut(
         let path = path.key("holes").index(k.saturating_sub(before));
         let (key, shape) = match snap.hole(hole) {
             Hole::Circle(c) => ("circle", Ok(Shape::Circle { centre: c.centre, radius: c.radius })),
-            Hole::Ellipse(e) => ("ellipse", Shape::ellipse(e.centre, e.half_axes)),
+            Hole::Ellipse(e) => {
+                ("ellipse", Shape::ellipse(e.centre, e.half_axes, e.angle.unwrap_or(0.0).to_radians()))
+            }
             Hole::Slot(s) => ("slot", Ok(Shape::Slot { from: s.from, to: s.to, radius: s.radius })),
             Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices).map(Shape::Polygon).map_err(Into::into)),
         };

@@ -6,7 +6,7 @@ use crate::case::{At, Case, Names};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
+    Group, Hole, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -309,7 +309,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole
-    /// one where rows are turned: at an oblique edge and its corners cells have their centres outside.
+    /// one where rows are turned, and within an outline and, but for rounding, on a hole: there cells may have their centres outside.
     pub(crate) fn point_at(
         &self,
         position: [f64; 3],
@@ -328,9 +328,14 @@ impl<'a> Ground<'a> {
         let nearest = self.nearest(position)?;
         let at = self.body.position(nearest as usize);
         let distance = (0..3).map(|k| (at[k] - position[k]).powi(2)).sum::<f64>().sqrt();
+        let place = [position[0], position[1]];
+        let is_on = |hole: &Hole| hole.shape.distance(place) <= 1e-6 * self.body.spacing();
+        let is_within = |outline: &Outline| outline.contains(place) || outline.holes().iter().any(is_on);
         // Half a diagonal of a cell.
         let most = match self.body {
-            PointBody::Lattice(lattice) if lattice.is_turned() => std::f64::consts::SQRT_2,
+            PointBody::Lattice(lattice) if lattice.is_turned() || self.outline.is_some_and(is_within) => {
+                std::f64::consts::SQRT_2
+            }
             body => 0.5 * (body.axes() as f64).sqrt(),
         };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {
