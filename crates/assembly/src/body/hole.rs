@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn an_ellipse_without_a_half_axis_is_refused() {
         for (half_axes, axis) in [([0.0, 1.0], 0), ([1.0, -2.0], 1), ([1.0, f64::NAN], 1)] {
-            let error = Shape::ellipse([0.0; 2], half_axes).unwrap_err();
+            let error = Shape::ellipse([0.0; 2], half_axes, 0.0).unwrap_err();
             assert!(matches!(error, HoleError::HalfAxis { axis: found, .. } if found == axis), "{error}");
         }
     }
