@@ -68,7 +68,8 @@ fn every_file_has_its_test() {
         String::from_utf8(told.stdout).unwrap().lines().filter(|line| line.ends_with(": test")).count()
     };
     let studies = files(&root().join("cases"), ".study.json").len();
-    let (listed, there) = ((list("gallery::passes"), list("gallery::finds_what_it_expects")), (gallery().len(), studies));
+    let (listed, there) =
+        ((list("gallery::passes"), list("gallery::finds_what_it_expects")), (gallery().len(), studies));
     assert_eq!(listed, there, "files came or went: `touch tests/regression/gallery.rs`");
     assert!(there.0 > 150 && there.1 > 0);
 }

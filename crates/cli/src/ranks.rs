@@ -27,12 +27,11 @@ pub(super) fn command(command: Command, global: Global) -> u8 {
         Command::Run(run) => match refused(&run) {
             // Coarser grids would be solved by the first process alone.
             None => solve(&session, &Run { no_estimate: true, ..run }, &global),
-            Some(what) => told(first, &format!("error: {what} with `mpirun`\n")),
+            Some(what) => end(first, &format!("error: {what} with `mpirun`\n")),
         },
-        _ => told(
-            first,
-            "error: `mpirun` is for `peristat run` alone\nhint: leave it out for other commands\n",
-        ),
+        _ => {
+            end(first, "error: `mpirun` is for `peristat run` alone\nhint: leave it out for other commands\n")
+        }
     }
 }
 
@@ -45,7 +44,7 @@ fn refused(run: &Run) -> Option<&'static str> {
     }
 }
 
-fn told(first: bool, message: &str) -> u8 {
+fn end(first: bool, message: &str) -> u8 {
     if first {
         note(message);
     }

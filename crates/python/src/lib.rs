@@ -1,9 +1,9 @@
 //! The native half of the Python package `peristat`; its public half is in `python/peristat`.
 
 mod background;
+mod case_input;
 mod command;
 mod error;
-mod given;
 mod operator;
 mod run;
 mod solved;

@@ -1,7 +1,7 @@
 //! The stiffness of a case for solvers of Python.
 
 use crate::background::beside;
-use crate::given::Given;
+use crate::case_input::CaseInput;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use peristat::Error;
 use pyo3::exceptions::{PyIndexError, PyValueError};
@@ -19,7 +19,7 @@ pub(crate) struct Operator {
 
 /// Builds the operator of a case.
 #[pyfunction]
-pub(crate) fn operator(py: Python<'_>, given: Given) -> PyResult<Operator> {
+pub(crate) fn operator(py: Python<'_>, given: CaseInput) -> PyResult<Operator> {
     beside(py, None, move |_| {
         let max_memory = given.max_memory;
         let loaded = given.load().map_err(|error| match error {

@@ -1,8 +1,8 @@
 //! Solving a case.
 
 use crate::background::{Failure, Stop, at_once, beside};
+use crate::case_input::CaseInput;
 use crate::error::{exception, json};
-use crate::given::Given;
 use crate::solved::Solved;
 use crate::states::{Equilibrium, States};
 use peristat::Error;
@@ -38,7 +38,7 @@ impl Output {
 
 /// Checks a case without solving it: its warnings, and the numbers of points, bonds and unknowns; both as JSON.
 #[pyfunction]
-pub(crate) fn check(py: Python<'_>, given: Given) -> PyResult<(String, String)> {
+pub(crate) fn check(py: Python<'_>, given: CaseInput) -> PyResult<(String, String)> {
     let max_memory = given.max_memory;
     let (warnings, sizes) = beside(py, None, move |_| {
         let loaded = given.load()?;
@@ -53,7 +53,7 @@ pub(crate) fn check(py: Python<'_>, given: Given) -> PyResult<(String, String)> 
 #[pyfunction]
 pub(crate) fn run(
     py: Python<'_>,
-    given: Given,
+    given: CaseInput,
     threads: Option<u16>,
     on_state: Option<Py<PyAny>>,
     estimate: Option<bool>,
@@ -87,7 +87,7 @@ fn options(max_memory: Option<u64>) -> RunOptions {
 }
 
 fn solve(
-    given: &Given,
+    given: &CaseInput,
     source: Source,
     on_state: Option<Py<PyAny>>,
     estimate: Option<bool>,

@@ -1,8 +1,8 @@
 //! Convergence studies.
 
 use crate::background::{Failure, beside, refuse_after_fork};
+use crate::case_input::CaseInput;
 use crate::error::json;
-use crate::given::Given;
 use peristat::Error;
 use peristat::output::lock::Hold;
 use peristat::run::RunError;
@@ -19,7 +19,7 @@ use std::sync::{Mutex, PoisonError};
 #[pyfunction]
 pub(crate) fn study(
     py: Python<'_>,
-    given: Given,
+    given: CaseInput,
     threads: Option<u16>,
     output: Option<PathBuf>,
     force: bool,

@@ -146,7 +146,8 @@ struct Cycle<'a, H: Hierarchy> {
 enum Start {
     /// Zero, whatever is in the vector.
     Zero,
-    Given,
+    /// What is in the vector.
+    Current,
 }
 
 impl<H: Hierarchy> Cycle<'_, H> {
@@ -181,7 +182,7 @@ impl<H: Hierarchy> Cycle<'_, H> {
         self.hierarchy.restrict(index, residual, coarse_residual);
         self.run(index + 1, coarser, Start::Zero, coarse_residual, correction);
         if index >= self.single && !coarser.is_empty() {
-            self.run(index + 1, coarser, Start::Given, coarse_residual, correction);
+            self.run(index + 1, coarser, Start::Current, coarse_residual, correction);
         }
         self.hierarchy.prolong_add(index, correction, x);
         for step in steps.iter() {

@@ -33,9 +33,9 @@ pub(crate) fn number(given: Option<&Amount>) -> Option<f64> {
 
 impl<'de> Deserialize<'de> for Amount {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Given;
+        struct AmountVisitor;
 
-        impl Visitor<'_> for Given {
+        impl Visitor<'_> for AmountVisitor {
             type Value = Amount;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -59,7 +59,7 @@ impl<'de> Deserialize<'de> for Amount {
             }
         }
 
-        deserializer.deserialize_any(Given)
+        deserializer.deserialize_any(AmountVisitor)
     }
 }
 

@@ -40,9 +40,9 @@ impl Modulus {
 
 impl<'de> Deserialize<'de> for Modulus {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Given;
+        struct ModulusVisitor;
 
-        impl<'de> Visitor<'de> for Given {
+        impl<'de> Visitor<'de> for ModulusVisitor {
             type Value = Modulus;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -70,7 +70,7 @@ impl<'de> Deserialize<'de> for Modulus {
             }
         }
 
-        deserializer.deserialize_any(Given)
+        deserializer.deserialize_any(ModulusVisitor)
     }
 }
 

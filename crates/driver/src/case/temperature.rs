@@ -38,9 +38,9 @@ pub enum Expansion {
 
 impl<'de> Deserialize<'de> for Expansion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Given;
+        struct TemperatureVisitor;
 
-        impl<'de> Visitor<'de> for Given {
+        impl<'de> Visitor<'de> for TemperatureVisitor {
             type Value = Expansion;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -70,7 +70,7 @@ impl<'de> Deserialize<'de> for Expansion {
             }
         }
 
-        deserializer.deserialize_any(Given)
+        deserializer.deserialize_any(TemperatureVisitor)
     }
 }
 

@@ -7,17 +7,17 @@ use serde_json::{Map, Value};
 pub(crate) fn study_for_case(file: &str, text: &str, report: Report) -> Report {
     let is_study = |keys: &Map<String, Value>| keys.contains_key("case") && !keys.contains_key("model");
     let message = ("case", "this is a study, not a case", format!("`peristat study {file}` solves it"));
-    told(file, text, is_study, message).unwrap_or(report)
+    misread(file, text, is_study, message).unwrap_or(report)
 }
 
 /// The report of a case that was read as a study.
 pub(crate) fn case_for_study(file: &str, text: &str, report: Report) -> Report {
     let is_case = |keys: &Map<String, Value>| keys.contains_key("model") && !keys.contains_key("case");
     let message = ("model", "this is a case, not a study", format!("`peristat run {file}` solves it"));
-    told(file, text, is_case, message).unwrap_or(report)
+    misread(file, text, is_case, message).unwrap_or(report)
 }
 
-fn told(
+fn misread(
     file: &str,
     text: &str,
     is_other: impl Fn(&Map<String, Value>) -> bool,

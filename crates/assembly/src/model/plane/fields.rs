@@ -107,7 +107,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         }
         self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
         let of_point = |point| self.stress_volume(point);
-        let given_back = self.interface.iter().flat_map(|interface| interface.told());
+        let given_back = self.interface.iter().flat_map(|interface| interface.stress_families());
         let triangles = self.triangles.list().iter().chain(given_back);
         let mut fields = PlaneFields::with_triangles(sums, triangles, of_point, u);
         if let Some(strains) = &self.border.strains {
@@ -176,7 +176,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.whole().add_work::<3>(t, &self.spans(points), &shares, force);
         if let Some(interface) = &self.interface {
             interface.uneven.add_work(self.whole(), (t, &shares), force);
-            add_work_of_triangles(interface.told(), t, force);
+            add_work_of_triangles(interface.stress_families(), t, force);
         }
     }
 

@@ -23,7 +23,7 @@ pub(in super::super) struct Interface<const D: usize, const S: usize> {
     /// Triangles that give back what points lack: first of bonds between points, then of those that end on the border.
     pub(super) families: Arc<Families<D, S, 2>>,
     /// Number of the first ones, which tell stresses, too.
-    told: usize,
+    stress_count: usize,
     /// Points that no triangle gives what they lack.
     pub(super) lost: usize,
 }
@@ -42,7 +42,7 @@ impl<const D: usize, const S: usize> Interface<D, S> {
         let bonds = MixedBonds::new((lattice, mirrors), neighbourhood, &mixture, &absent);
         let whole: Vec<Mat<S, S>> =
             (0..neighbourhood.offsets.len()).map(|k| modulus(lattice, neighbourhood, bond, k)).collect();
-        let (mut families, mut told, mut lost): (Vec<Family<D, S, 2>>, _, _) = (Vec::new(), 0, 0);
+        let (mut families, mut stress_count, mut lost): (Vec<Family<D, S, 2>>, _, _) = (Vec::new(), 0, 0);
         for (lacks, tells) in [(&bonds.lacks[..], true), (beside, false)] {
             let mut by_point: BTreeMap<usize, Mat<S, S>> = BTreeMap::new();
             for &(point, k, part) in lacks {
@@ -54,11 +54,11 @@ impl<const D: usize, const S: usize> Interface<D, S> {
                 lost += usize::from(all.is_empty());
                 families.extend(all);
             }
-            told = if tells { families.len() } else { told };
+            stress_count = if tells { families.len() } else { stress_count };
         }
         let families = Arc::new(Families::new(lattice.points(), families));
         let MixedBonds { exceptions, uneven, .. } = bonds;
-        Self { mixture, exceptions, uneven, families, told, lost }
+        Self { mixture, exceptions, uneven, families, stress_count, lost }
     }
 
     /// The triangles that have one of some pairs of points for a side.
@@ -68,17 +68,17 @@ impl<const D: usize, const S: usize> Interface<D, S> {
 
     /// Forgets the triangles that have one of some pairs of points for a side.
     pub(super) fn part(&mut self, pairs: &HashSet<[u32; 2]>) {
-        self.told -= self.told().iter().filter(|triangle| spans(triangle, pairs)).count();
+        self.stress_count -= self.stress_families().iter().filter(|triangle| spans(triangle, pairs)).count();
         remove_spanning(&mut self.families, pairs);
     }
 
     /// The triangles that tell stresses.
-    pub(super) fn told(&self) -> &[Family<D, S, 2>] {
-        &self.families.list()[..self.told]
+    pub(super) fn stress_families(&self) -> &[Family<D, S, 2>] {
+        &self.families.list()[..self.stress_count]
     }
 
     /// Those that give back what bonds that end on the border leave.
     pub(super) fn beside_border(&self) -> &[Family<D, S, 2>] {
-        &self.families.list()[self.told..]
+        &self.families.list()[self.stress_count..]
     }
 }

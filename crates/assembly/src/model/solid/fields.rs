@@ -17,7 +17,7 @@ impl SolidBody {
         sums[TENSOR * n..].iter_mut().for_each(|energy| *energy /= volume);
         if let Some(interface) = &self.interface {
             interface.uneven.add_to(self.whole(), (u, &shares, volume), &mut sums);
-            for family in interface.told() {
+            for family in interface.stress_families() {
                 let (point, state) = (family.point as usize, family.measures(n, u));
                 let action = family.stress(&state);
                 (0..TENSOR).for_each(|q| sums[q * n + point] += action[q] / volume);

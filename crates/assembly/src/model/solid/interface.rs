@@ -21,7 +21,7 @@ pub(super) struct Interface {
     /// Tetrahedra that give back what points lack: first of bonds between points, then of those that end on the border.
     pub(super) families: Arc<Families<3, TENSOR, 3>>,
     /// Number of the first ones, which tell stresses, too.
-    told: usize,
+    stress_count: usize,
     mirrors: Mirrors,
     /// Points that no tetrahedron gives what they lack.
     pub(super) lost: usize,
@@ -46,7 +46,7 @@ impl Interface {
             block(&uniform, &[neighbourhood.weights[k][0] * unit], &uniform)
         };
         let whole: Vec<Mat<TENSOR, TENSOR>> = (0..neighbourhood.offsets.len()).map(whole).collect();
-        let (mut families, mut told, mut lost) = (Vec::new(), 0, 0);
+        let (mut families, mut stress_count, mut lost) = (Vec::new(), 0, 0);
         for (lacks, tells) in [(&bonds.lacks[..], true), (beside, false)] {
             let mut by_point: BTreeMap<usize, Mat<TENSOR, TENSOR>> = BTreeMap::new();
             for &(point, k, part) in lacks {
@@ -65,11 +65,11 @@ impl Interface {
                 families
                     .extend(corners.iter().filter_map(|&corners| family(lattice, point, corners, modulus)));
             }
-            told = if tells { families.len() } else { told };
+            stress_count = if tells { families.len() } else { stress_count };
         }
         let families = Arc::new(Families::new(lattice.points(), families));
         let MixedBonds { exceptions, uneven, .. } = bonds;
-        Self { mixture, exceptions, uneven, families, told, mirrors: *mirrors, lost }
+        Self { mixture, exceptions, uneven, families, stress_count, mirrors: *mirrors, lost }
     }
 
     /// What a point owns of the bond at a step, of half a bond of its own material.
@@ -90,8 +90,8 @@ impl Interface {
     }
 
     /// The tetrahedra that tell stresses.
-    pub(super) fn told(&self) -> &[Family<3, TENSOR, 3>] {
-        &self.families.list()[..self.told]
+    pub(super) fn stress_families(&self) -> &[Family<3, TENSOR, 3>] {
+        &self.families.list()[..self.stress_count]
     }
 
     /// Adds the work of all tetrahedra in the strains `t` of their points, six planes.

@@ -1,6 +1,6 @@
 //! Straight lines of points that supports hold, along which reactions are per length.
 
-use super::held::Held;
+use super::restraints::Restraints;
 use super::site::{Site, points_of};
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y};
 use std::collections::{BTreeMap, BTreeSet};
@@ -65,7 +65,7 @@ impl Step {
 type Steps = BTreeMap<(usize, u32), Step>;
 
 /// The lines that supports hold.
-pub(super) fn lines(site: &Site, held: &Held) -> Vec<HeldLine> {
+pub(super) fn lines(site: &Site, held: &Restraints) -> Vec<HeldLine> {
     let mut steps = Steps::new();
     let all = held.supports.iter().zip(held.sides.iter().zip(&held.points));
     for (index, (support, (sides, points))) in all.enumerate().filter(|(_, all)| !all.0.is_mirror) {

@@ -1,7 +1,7 @@
 //! Probes of what supports do to a plate along lines that they hold.
 
-use super::held::Held;
 use super::held_line::HeldLine;
+use super::restraints::Restraints;
 use super::site::Site;
 use crate::case::{FieldName, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath};
@@ -34,7 +34,7 @@ pub enum OnLine {
 pub(super) fn of(
     probe: &Probe,
     site: &Site,
-    (held, lines): (&Held, &[HeldLine]),
+    (held, lines): (&Restraints, &[HeldLine]),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(OnLine, String)> {
@@ -79,7 +79,7 @@ pub(super) fn of(
 }
 
 /// Whether some lines have all of the points among some that supports hold.
-fn covers(lines: &[HeldLine], own: &[usize], held: &Held, points: &[u32]) -> bool {
+fn covers(lines: &[HeldLine], own: &[usize], held: &Restraints, points: &[u32]) -> bool {
     let on_lines: BTreeSet<u32> = own.iter().flat_map(|&line| lines[line].points.iter().copied()).collect();
     let supports = held.supports.iter().zip(&held.points).filter(|(support, _)| !support.is_mirror);
     let mut all = supports.flat_map(|(_, points)| points.iter().copied());

@@ -1,9 +1,9 @@
 //! Probes of a plate.
 
 use super::border::Side;
-use super::held::Held;
 use super::held_line::HeldLine;
 use super::line_probe::{self, OnLine};
+use super::restraints::Restraints;
 use super::site::Site;
 use crate::case::{FieldName, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath};
@@ -79,7 +79,7 @@ pub(super) fn askable() -> Vec<FieldName> {
 /// Probes of the case.
 pub(super) fn probes(
     site: &Site,
-    (held, lines): (&Held, &[HeldLine]),
+    (held, lines): (&Restraints, &[HeldLine]),
     faults: &mut Faults,
 ) -> Vec<PlateProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
@@ -139,7 +139,7 @@ fn reduced(
 fn at_place(
     probe: &Probe,
     site: &Site,
-    held: &Held,
+    held: &Restraints,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(PlateQuantity, String)> {
@@ -179,10 +179,10 @@ fn share(point: u32, held: &[Side], asked: &[Side]) -> Option<f64> {
 }
 
 /// Indices of equations and of springs, and how much of the force of each counts.
-type Parts = [Vec<(usize, f64)>; 2];
+type ReactionTerms = [Vec<(usize, f64)>; 2];
 
 /// What a support does along a component at some points, by what each of them counts.
-fn parts(component: usize, number: usize, held: &Held, share: &dyn Fn(u32) -> f64) -> Parts {
+fn terms(component: usize, number: usize, held: &Restraints, share: &dyn Fn(u32) -> f64) -> ReactionTerms {
     let support = &held.supports[number];
     let equation = |k: usize| {
         // What an equation does to other points is the reaction of the one that it holds, its first.
@@ -200,12 +200,17 @@ fn parts(component: usize, number: usize, held: &Held, share: &dyn Fn(u32) -> f6
 
 /// What supports do to points, of a part of the border by its sides. At the place of a support that is what this support does, and
 /// a line inside keeps the point where it meets an edge: the sum over all supports is the load.
-fn reaction(component: usize, points: &[u32], asked: Option<&[Side]>, held: &Held) -> Option<PlateQuantity> {
+fn reaction(
+    component: usize,
+    points: &[u32],
+    asked: Option<&[Side]>,
+    held: &Restraints,
+) -> Option<PlateQuantity> {
     let numbers = || 0..held.supports.len();
     let by_edge = |point: u32| {
         let is_own = |k: usize| share(point, &held.sides[k], &[]).is_some();
-        let holds = |k: usize| parts(component, k, held, &|other| f64::from(u8::from(other == point)));
-        numbers().any(|k| is_own(k) && holds(k) != Parts::default())
+        let holds = |k: usize| terms(component, k, held, &|other| f64::from(u8::from(other == point)));
+        numbers().any(|k| is_own(k) && holds(k) != ReactionTerms::default())
     };
     let counts = |number: usize, point: u32| match (points.binary_search(&point), asked) {
         (Err(_), _) => 0.0,
@@ -214,13 +219,14 @@ fn reaction(component: usize, points: &[u32], asked: Option<&[Side]>, held: &Hel
         }
         (Ok(_), None) => 1.0,
     };
-    let of = |number: usize| parts(component, number, held, &|point| counts(number, point));
+    let of = |number: usize| terms(component, number, held, &|point| counts(number, point));
     let is_here = |number: &usize| held.points[*number] == points;
-    let mut all: Vec<Parts> = numbers().filter(is_here).map(of).collect();
-    if all.iter().all(|own| *own == Parts::default()) {
+    let mut all: Vec<ReactionTerms> = numbers().filter(is_here).map(of).collect();
+    if all.iter().all(|own| *own == ReactionTerms::default()) {
         all = numbers().map(of).collect();
     }
-    let [equations, springs]: Parts = [0, 1].map(|k| all.iter().flat_map(|own| own[k].clone()).collect());
+    let [equations, springs]: ReactionTerms =
+        [0, 1].map(|k| all.iter().flat_map(|own| own[k].clone()).collect());
     let is_held = !(equations.is_empty() && springs.is_empty());
     is_held.then_some(PlateQuantity::Reaction { component, equations, springs })
 }

@@ -1,12 +1,12 @@
 //! From a case of a plate in bending to its scene.
 
 use super::border::Border;
-use super::held::PlateSupport;
 use super::held_line::{self, HeldLine};
 use super::loads;
 use super::materials::{self, PlateMaterial};
 use super::plate_loads::PlateLoads;
 use super::probes::{self, PlateProbe};
+use super::restraints::PlateSupport;
 use super::site::Site;
 use super::supports;
 use super::thickness::Thickness;

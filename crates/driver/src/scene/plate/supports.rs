@@ -2,7 +2,7 @@
 
 use super::border::Side;
 use super::clamped_stairs::{self, Followed};
-use super::held::{Held, Place};
+use super::restraints::{Place, Restraints};
 use super::site::Site;
 use super::{support_keys, support_springs, symmetry};
 use crate::case::{Amount, Support};
@@ -14,8 +14,8 @@ use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, W};
 use std::collections::BTreeMap;
 
 /// The supports of the case.
-pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
-    let mut held = Held::default();
+pub(super) fn held(site: &Site, faults: &mut Faults) -> Restraints {
+    let mut held = Restraints::default();
     if site.case.supports.is_empty() && site.case.foundation.is_empty() {
         faults
             .error(root("supports"), "nothing holds the plate: `supports` is empty")

@@ -1,6 +1,6 @@
 //! Lines of symmetry of a plate: it does not turn across them.
 
-use super::held::{Held, Place};
+use super::restraints::{Place, Restraints};
 use super::site::{Site, points_of};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use peristat_assembly::condition::{Equation, Unknown};
@@ -10,7 +10,7 @@ use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y};
 const SIDES: [(&str, usize); 4] = [("left", PHI_X), ("right", PHI_X), ("bottom", PHI_Y), ("top", PHI_Y)];
 
 /// Adds what lines of symmetry hold.
-pub(super) fn hold(site: &Site, held: &mut Held, faults: &mut Faults) {
+pub(super) fn hold(site: &Site, held: &mut Restraints, faults: &mut Faults) {
     for (k, name) in site.case.symmetry.iter().enumerate() {
         let path = root("symmetry").index(k);
         let Some(&(_, component)) = SIDES.iter().find(|side| side.0 == name) else {

@@ -27,12 +27,12 @@ use std::path::Path;
 
 /// What a run has reported.
 #[derive(Default)]
-struct Told {
+struct Recorder {
     points: Vec<PathPoint>,
     states: Vec<StateResult>,
 }
 
-impl Sink for Told {
+impl Sink for Recorder {
     fn take(&mut self, result: StateResult) -> io::Result<()> {
         self.states.push(result);
         Ok(())
@@ -88,7 +88,7 @@ fn scene(case: &Value) -> Scene {
 }
 
 fn solve(case: &Value) -> Ran {
-    let mut told = Told::default();
+    let mut told = Recorder::default();
     let report = run::run(&scene(case), &RunOptions::default(), None, &mut told);
     let report = report.unwrap_or_else(|error| panic!("{error}"));
     let ran = Ran { points: told.points, states: told.states, report };

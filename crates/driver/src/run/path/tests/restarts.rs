@@ -6,7 +6,7 @@ use crate::run::{Restart, RunError};
 /// What a run has reported, and what it takes to go on from each state, as it is written to a file.
 #[derive(Default)]
 struct Kept {
-    told: Told,
+    told: Recorder,
     restarts: Vec<(usize, Vec<u8>)>,
 }
 
@@ -103,7 +103,8 @@ fn a_restart_of_another_body_does_not_fit() {
     let plate = controlled(&plate(), "displacement", 0.1);
     let chains = controlled(&chains(2), "event", 0.1);
     for (case, other) in [(&plate, &chains), (&chains, &plate)] {
-        let refused = run::run(&scene(case), &RunOptions::default(), Some(of(other)), &mut Told::default());
+        let refused =
+            run::run(&scene(case), &RunOptions::default(), Some(of(other)), &mut Recorder::default());
         assert!(matches!(refused, Err(RunError::Misfit)), "{refused:?}");
     }
 }

@@ -103,7 +103,7 @@ const REACTIONS: [FieldName; 8] = [
 const TURNS: [FieldName; 3] = [FieldName::PhiX, FieldName::PhiY, FieldName::PhiZ];
 
 /// What a reaction holds.
-pub(crate) struct Held {
+pub(crate) struct ReactionOf {
     /// Its name, such as `ux`.
     pub(crate) name: &'static str,
     /// The unknown of points: its index and what is known of it; none of rotations where points do not turn.
@@ -113,12 +113,12 @@ pub(crate) struct Held {
 }
 
 /// What a reaction holds; none where points have no such unknown, nor a solid rigid regions that move so.
-pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel, has_rigid: bool) -> Option<Held> {
+pub(crate) fn reaction_of(reaction: FieldName, model: &dyn BodyModel, has_rigid: bool) -> Option<ReactionOf> {
     let Origin::Reaction(name) = reaction.about().origin else { return None };
     let (unknown, axes) = (model.component(name), if model.as_solid().is_some() { 3 } else { 2 });
     let motion = (0..MOTIONS).find(|&motion| rigid::key(motion, axes) == Some(name));
     let is_turn = axes > 2 && motion.is_some() && has_rigid;
-    (unknown.is_some() || is_turn).then_some(Held { name, unknown, motion })
+    (unknown.is_some() || is_turn).then_some(ReactionOf { name, unknown, motion })
 }
 
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.

@@ -278,7 +278,7 @@ fn reaction(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Quantity> {
-    let of = fields::held(field, site.model, !site.ground.case.rigid.is_empty())?;
+    let of = fields::reaction_of(field, site.model, !site.ground.case.rigid.is_empty())?;
     let (component, unit) = of.unknown.map_or((None, 1.0), |(k, unknown)| (Some(k), unknown.scale));
     let mut numbers: Vec<u32> = points.iter().map(|&p| site.inputs.number(site.model, p)).collect();
     numbers.sort_unstable();

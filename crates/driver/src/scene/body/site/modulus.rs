@@ -11,12 +11,12 @@ use peristat_assembly::body::PointBody;
 const MOST_RATIO: f64 = 1e9;
 
 /// What a modulus is at a place.
-enum Given {
+enum ModulusSource {
     Prescribed(Prescribed),
     Table(Table),
 }
 
-impl Given {
+impl ModulusSource {
     fn at(&self, place: [f64; 3], key: &str, axes: usize) -> Result<f64, String> {
         let here = || place[..axes].iter().map(|x| tidy(*x)).collect::<Vec<_>>().join(", ");
         let value = match self {
@@ -48,12 +48,14 @@ pub(super) fn values(
 ) -> Option<Vec<f64>> {
     let axes = body.axes();
     let given = match given {
-        Modulus::Amount(amount) => Given::Prescribed(Prescribed::new(amount, (axes, None), path, faults)?),
+        Modulus::Amount(amount) => {
+            ModulusSource::Prescribed(Prescribed::new(amount, (axes, None), path, faults)?)
+        }
         Modulus::Table(table) => {
-            Given::Table(files::table(folder, &table.file, axes, max_memory, path, faults)?)
+            ModulusSource::Table(files::table(folder, &table.file, axes, max_memory, path, faults)?)
         }
     };
-    let all = if let Given::Prescribed(Prescribed::Number(value)) = given {
+    let all = if let ModulusSource::Prescribed(Prescribed::Number(value)) = given {
         positive(value, key, path.clone(), faults).then(|| vec![value; points.len()])?
     } else {
         let at = |point: &u32| given.at(body.position(*point as usize), key, axes);

@@ -30,7 +30,7 @@ pub(super) struct Place {
 
 /// All that supports make.
 #[derive(Default)]
-pub(super) struct Held {
+pub(super) struct Restraints {
     pub(super) supports: Vec<PlateSupport>,
     /// The sides of cells that each of them holds.
     pub(super) sides: Vec<Vec<Side>>,
@@ -40,7 +40,7 @@ pub(super) struct Held {
     pub(super) springs: Vec<Spring>,
 }
 
-impl Held {
+impl Restraints {
     /// Takes the equations and springs of one support.
     pub(super) fn take(&mut self, place: Place, equations: Vec<Equation>, springs: Vec<Spring>) {
         let Place { name, points, sides, is_mirror } = place;

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 /// A case, or a study.
 #[derive(Clone, FromPyObject)]
-pub(crate) struct Given {
+pub(crate) struct CaseInput {
     /// Its text.
     text: String,
     /// What messages call it; files that it names are relative to it.
@@ -24,7 +24,7 @@ pub(crate) struct Given {
     allow_outside: bool,
 }
 
-impl Given {
+impl CaseInput {
     fn reach(&self) -> Reach {
         if self.allow_outside { Reach::Anywhere } else { Reach::Inside }
     }
