@@ -33,7 +33,8 @@ impl HoleFit {
             let pulled = fields.field_of(&outgoing, position).displacement;
             let all = fields.at(position);
             for c in 0..2 {
-                factor.add(all.iter().map(|field| field.displacement[c]), displacement[c] - pulled[c]);
+                let values = [displacement[c] - pulled[c], displacement[c]];
+                factor.add(all.iter().map(|field| field.displacement[c]), values);
             }
             equations += 2;
         }
@@ -66,7 +67,7 @@ impl HoleFit {
     }
 }
 
-/// Triangular factor of equations that come one by one, the right-hand side being the last column.
+/// Triangular factor of equations that come one by one; the last two columns are the right-hand side and the displacements.
 struct Factor {
     count: usize,
     rows: usize,
@@ -75,15 +76,15 @@ struct Factor {
 
 impl Factor {
     fn new(count: usize) -> Self {
-        Self { count, rows: 0, block: DMatrix::zeros(BLOCK + count + 1, count + 1) }
+        Self { count, rows: 0, block: DMatrix::zeros(BLOCK + count + 2, count + 2) }
     }
 
-    fn add(&mut self, shares: impl Iterator<Item = f64>, value: f64) {
+    fn add(&mut self, shares: impl Iterator<Item = f64>, values: [f64; 2]) {
         if self.rows == self.block.nrows() {
             self.reduce();
         }
         let row = self.rows;
-        shares.chain([value]).enumerate().for_each(|(k, x)| self.block[(row, k)] = x);
+        shares.chain(values).enumerate().for_each(|(k, x)| self.block[(row, k)] = x);
         self.rows += 1;
     }
 
@@ -93,15 +94,17 @@ impl Factor {
         self.block.rows_mut(0, self.rows).copy_from(&triangle);
     }
 
-    /// Coefficients, the root of squares of what is missed, and that of the values without their parts along the last two fields.
+    /// Coefficients, the root of squares of what is missed, and that of the displacements without their parts along the last two
+    /// fields.
     fn solve(mut self) -> Option<(Vec<f64>, f64, f64)> {
         self.reduce();
         let n = self.count;
         let mut matrix = self.block.view((0, 0), (self.rows, n)).into_owned();
-        let values = DVector::from_iterator(self.rows, (0..self.rows).map(|k| self.block[(k, n)]));
+        let [values, displacements] = [n, n + 1]
+            .map(|column| DVector::from_iterator(self.rows, (0..self.rows).map(|k| self.block[(k, column)])));
         let translations = matrix.columns(n - 2, 2).into_owned();
-        let moved = translations.clone().svd(true, true).solve(&values, TOLD).ok()?;
-        let strained = (&values - translations * moved).norm();
+        let moved = translations.clone().svd(true, true).solve(&displacements, TOLD).ok()?;
+        let strained = (displacements - translations * moved).norm();
         let sizes: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
         matrix.column_iter_mut().zip(&sizes).for_each(|(mut column, size)| column /= *size);
         let svd = matrix.clone().svd(true, true);

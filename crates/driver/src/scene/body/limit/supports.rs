@@ -79,7 +79,9 @@ pub(super) fn along_border(
         });
         let members: Vec<BorderMember> = members.collect();
         let motions = site.held.iter().find(|held| held.path == path).map_or(&[][..], |held| &held.motions);
-        for (direction, motion, _) in motions.iter().filter(|_| !members.is_empty()) {
+        // Rotations have their own fault.
+        let along_axes = motions.iter().filter(|(direction, ..)| direction[2] == 0.0);
+        for (direction, motion, _) in along_axes.filter(|_| !members.is_empty()) {
             let Some(axis) = direction.iter().position(|share| share.abs() == 1.0) else {
                 faults
                     .error(path.key("inclined"), "the limit `local` has edges that are held along x or y")
