@@ -223,9 +223,9 @@ fn all_limits_of_a_plate_work_whatever_the_spacing() {
 #[test]
 fn a_limit_starts_from_the_horizon_that_the_model_has() {
     let folder = tempfile::tempdir().unwrap();
-    fs::copy(root().join("cases/plate/shear.json"), folder.path().join("shear.json")).unwrap();
+    fs::copy(root().join("cases/plate/springs.json"), folder.path().join("springs.json")).unwrap();
     let study =
-        r#"{ "title": "m", "case": "shear.json", "refine": { "m_convergence": { "ratios": [2, 3] } } }"#;
+        r#"{ "title": "m", "case": "springs.json", "refine": { "m_convergence": { "ratios": [2, 4] } } }"#;
     fs::write(folder.path().join("m.json"), study).unwrap();
     assert_eq!(run(folder.path(), &["study", "m.json"]).code, 0);
     let levels = &json(&folder.path().join("results/m/study.json"))["series"][0]["levels"];
@@ -264,8 +264,8 @@ fn faults_of_a_study_are_told_at_their_place() {
             "the factor 1.02 takes the spacing of the value before it",
         ),
         (
-            json!({ "refine": { "m_convergence": { "ratios": [0.1, 1] } } }),
-            "the horizon ratio 0.1 leaves a part of a cell",
+            json!({ "refine": { "delta_convergence": { "factors": [0.03, 1] } } }),
+            "the factor 0.03 leaves a part of a cell",
         ),
         (
             json!({ "refine": { "joint_convergence": { "factors": [1, 2], "ratios": [2] } } }),

@@ -3,7 +3,7 @@
 use std::io;
 use std::sync::{Arc, LazyLock};
 
-use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{Options, Tree};
 
@@ -32,6 +32,8 @@ pub fn png(svg: &str) -> io::Result<Vec<u8>> {
     let [width, height] = [size.width(), size.height()].map(|pixels| (PIXELS * pixels).ceil());
     let pixmap = (width * height < MOST_PIXELS).then(|| Pixmap::new(width as u32, height as u32)).flatten();
     let mut pixmap = pixmap.ok_or_else(|| invalid(format!("{width} x {height} pixels")))?;
+    // Where the size is no whole number of pixels, the last ones are covered in part.
+    pixmap.fill(Color::WHITE);
     resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixmap.as_mut());
     pixmap.encode_png().map_err(invalid)
 }
