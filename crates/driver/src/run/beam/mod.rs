@@ -150,17 +150,29 @@ where
     TimoshenkoBeam: Model<D>,
 {
     let chosen = strain::chosen(scene);
-    let needed = match &chosen {
-        Ok(Some(parts)) => strain::memory::<D>(scene, &parts.form, options.recover),
-        _ => memory::estimate::<D>(scene, options.recover),
-    };
-    let prepared = match scene.one_way.is_empty() {
-        true => prepare_within(scene, needed, options)?,
-        false => one_way::prepare_within(scene, needed, options)?,
-    };
+    let prepared = prepare_for::<D>(scene, chosen.as_ref().ok().and_then(Option::as_ref), options)?;
     // Faults of the beam come before that of its solver.
     chosen?;
     Ok(prepared)
+}
+
+/// The same for the way in which it will be solved: in strains, if their form is given.
+fn prepare_for<const D: usize>(
+    scene: &BeamScene,
+    chosen: Option<&strain::StrainProblem>,
+    options: &RunOptions,
+) -> Result<(System<D>, Sizes), RunError>
+where
+    TimoshenkoBeam: Model<D>,
+{
+    let needed = match chosen {
+        Some(parts) => strain::memory::<D>(scene, &parts.form, options.recover),
+        None => memory::estimate::<D>(scene, options.recover),
+    };
+    match scene.one_way.is_empty() {
+        true => prepare_within(scene, needed, options),
+        false => one_way::prepare_within(scene, needed, options),
+    }
 }
 
 /// Solves every state in strains where that is the way to do it, else as any problem.
@@ -172,8 +184,9 @@ fn solve<const D: usize>(
 where
     TimoshenkoBeam: Model<D>,
 {
-    let (system, sizes) = prepare::<D>(scene, options)?;
-    match strain::chosen(scene)? {
+    let chosen = strain::chosen(scene);
+    let (system, sizes) = prepare_for::<D>(scene, chosen.as_ref().ok().and_then(Option::as_ref), options)?;
+    match chosen? {
         Some(parts) => strain::solve_states(scene, parts, (&system, sizes), options.recover, take),
         None => solve_states(scene, (&system, sizes), take),
     }

@@ -79,11 +79,16 @@ impl StrainForm<'_> {
         self.samples().map(of).fold(0.0, f64::max)
     }
 
-    /// Cells that stand for all, the first and the last among them.
-    fn samples(&self) -> impl Iterator<Item = usize> + use<> {
+    /// Cells that stand for all, the first and the last among them, and one of those that are alike.
+    fn samples(&self) -> impl Iterator<Item = usize> {
         const CELLS: usize = 256;
         let (cells, count) = (self.cells(), CELLS.min(self.cells()));
-        (0..count).map(move |k| if count == 1 { 0 } else { k * (cells - 1) / (count - 1) })
+        let all = (0..count).map(move |k| if count == 1 { 0 } else { k * (cells - 1) / (count - 1) });
+        let mut has_ordinary = false;
+        all.filter(move |&cell| {
+            let is_ordinary = self.are_ordinary(cell, cell + 1);
+            !(is_ordinary && std::mem::replace(&mut has_ordinary, true))
+        })
     }
 
     /// Whether the columns of the cells `start..end` are those of ordinary cells.

@@ -31,6 +31,8 @@ pub(super) struct StrainProblem<'a> {
     pub(super) beam: &'a TimoshenkoBeam,
     /// Its strain form.
     pub(super) form: StrainForm<'a>,
+    /// A lower bound of the eigenvalues of its scaled stiffness.
+    pub(super) least_eigenvalue: f64,
     /// Loads and factor on prescribed motions of every state.
     pub(super) states: Vec<(&'a BeamLoads, f64)>,
 }
@@ -51,8 +53,7 @@ where
     TimoshenkoBeam: Model<D>,
 {
     let mut timing = Timing::default();
-    let mut solver =
-        StrainSolver::new(parts.beam, parts.form, system.constraints(), &scene.springs, &mut timing)?;
+    let mut solver = StrainSolver::new(&parts, system.constraints(), &scene.springs, &mut timing)?;
     let mut load = vec![0.0; if recover { system.size() } else { 0 }];
     let (mut converged, mut is_interrupted) = (true, false);
     for (state, &(loads, motion_factor)) in parts.states.iter().enumerate() {

@@ -40,7 +40,8 @@ fn applies(scene: &BeamScene) -> Result<StrainProblem<'_>, String> {
         return Err(format!("{supports} displacements are held or sprung, more than {}", REDUNDANT + 2));
     }
     let states = scene.states.iter().map(|state| (&state.loads, state.motion_factor)).collect();
-    Ok(StrainProblem { beam: &scene.beam, form, states })
+    let least_eigenvalue = form.least_eigenvalue();
+    Ok(StrainProblem { beam: &scene.beam, form, least_eigenvalue, states })
 }
 
 /// The strain form of a beam where it is the way to solve it.
@@ -49,7 +50,7 @@ fn applies(scene: &BeamScene) -> Result<StrainProblem<'_>, String> {
 /// [`RunError::Case`] if the case asks for it and it does not apply.
 pub(in super::super) fn chosen(scene: &BeamScene) -> Result<Option<StrainProblem<'_>>, RunError> {
     match scene.solver {
-        Solver::Auto => Ok(applies(scene).ok().filter(|parts| parts.form.least_eigenvalue() >= LEAST)),
+        Solver::Auto => Ok(applies(scene).ok().filter(|parts| parts.least_eigenvalue >= LEAST)),
         Solver::Band | Solver::Sparse | Solver::Multigrid | Solver::Pcg => Ok(None),
         Solver::Strain => applies(scene).map(Some).map_err(|reason| {
             let mut faults = Faults::default();

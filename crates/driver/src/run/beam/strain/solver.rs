@@ -1,5 +1,6 @@
 //! Reactions, displacements and their evidence, state by state.
 
+use super::StrainProblem;
 use super::evidence::Evidence;
 use super::off;
 use super::passes::Passes;
@@ -7,9 +8,7 @@ use super::reactions::Reactions;
 use crate::run::workspace::StateSolution;
 use crate::run::{SolveFailure, Timing};
 use peristat_assembly::condition::Constraints;
-use peristat_assembly::model::timoshenko_beam::{
-    BeamLoads, ForceMethod, PHI, StrainForm, StrainSupport, TimoshenkoBeam,
-};
+use peristat_assembly::model::timoshenko_beam::{BeamLoads, ForceMethod, PHI, StrainSupport, TimoshenkoBeam};
 use peristat_assembly::stiffness::Spring;
 use peristat_solve::PcgStatus;
 use std::time::Instant;
@@ -27,6 +26,8 @@ pub(super) struct StrainSolver<'a> {
     method: ForceMethod,
     /// Motions of the rigid supports, which come first, for a factor of one.
     motions: Vec<f64>,
+    /// A lower bound of the eigenvalues of the scaled stiffness.
+    least_eigenvalue: f64,
     /// Planes that the first state need not allocate.
     spare: Option<Vec<f64>>,
 }
@@ -37,13 +38,13 @@ impl<'a> StrainSolver<'a> {
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
     pub(super) fn new(
-        beam: &'a TimoshenkoBeam,
-        form: StrainForm<'a>,
+        problem: &StrainProblem<'a>,
         constraints: &'a Constraints,
         springs: &[Spring],
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
         let begin = Instant::now();
+        let (beam, form) = (problem.beam, problem.form.clone());
         let points = beam.points();
         let rigid = constraints.rows().iter().map(|row| StrainSupport {
             point: row.unknown % points,
@@ -59,7 +60,8 @@ impl<'a> StrainSolver<'a> {
         timing.assemble += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
         let passes = Passes::new(form)?;
-        let mut solver = Self { beam, constraints, passes, method, motions, spare: None };
+        let least_eigenvalue = problem.least_eigenvalue;
+        let mut solver = Self { beam, constraints, passes, method, motions, least_eigenvalue, spare: None };
         timing.factor += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
         solver.solve_units();
@@ -139,7 +141,7 @@ impl<'a> StrainSolver<'a> {
             reactions.add(&more.reactions);
         }
         (evidence.length, evidence.cells) = (self.method.length(), self.passes.form().cells());
-        evidence.least_eigenvalue = self.passes.form().least_eigenvalue();
+        evidence.least_eigenvalue = self.least_eigenvalue;
         evidence.rounding = self.passes.form().most_action(reactions.rounding(self.method.supports()));
         Ok((self.finish(u, &reactions, motion_factor, &mut evidence), evidence))
     }
