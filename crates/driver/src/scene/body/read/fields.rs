@@ -133,7 +133,8 @@ pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<Fie
 }
 
 fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {
-    let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model, has_rigid).is_some());
+    let reactions =
+        REACTIONS.into_iter().filter(|&reaction| reaction_of(reaction, model, has_rigid).is_some());
     let turns: &[FieldName] = match (model.turning().is_none() && has_rigid, model.as_solid()) {
         (false, _) => &[],
         (true, None) => &[FieldName::Phi],
