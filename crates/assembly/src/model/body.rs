@@ -71,12 +71,6 @@ pub trait BodyModel: Points + Debug + Send + Sync {
     /// Cut share of the family volume of every point, 0 to 1.
     fn damage(&self) -> Vec<f64>;
 
-    /// Whether the plane is a section of a body of revolution: x is the radius, and volumes and forces are those of whole
-    /// rings.
-    fn is_revolved(&self) -> bool {
-        false
-    }
-
     /// Whether a change of volume is so much dearer than one of shape that coarser lattices are no good preconditioners.
     fn hardly_compresses(&self) -> bool {
         false

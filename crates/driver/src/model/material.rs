@@ -27,6 +27,18 @@ pub enum Surface {
     Solid,
 }
 
+impl Surface {
+    /// The side of its lattice that is an axis of revolution, by number: the lower one along x of a section.
+    pub fn axis(self) -> Option<usize> {
+        (self == Self::Section).then_some(0)
+    }
+
+    /// Components of a force that have a resultant: a ring has none along its radius, and no moment.
+    pub fn resultant(self) -> [bool; 3] {
+        if self == Self::Section { [false, true, false] } else { [true; 3] }
+    }
+}
+
 /// What is known of a material and its bonds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct About {
@@ -266,14 +278,14 @@ impl dyn Material + '_ {
         self.about().components.contains(&component)
     }
 
-    /// Whether the plane is a section of a body of revolution.
-    pub fn is_revolved(&self) -> bool {
-        self.about().surface == Surface::Section
+    /// What the plane of the body stands for.
+    pub fn surface(&self) -> Surface {
+        self.about().surface
     }
 
     /// Radius of the cylinder whose developed surface the plane is, m.
     pub fn cylinder_radius(&self) -> Option<f64> {
-        match self.about().surface {
+        match self.surface() {
             Surface::Cylinder(radius) => Some(radius),
             Surface::Flat | Surface::Section | Surface::Solid => None,
         }
@@ -281,7 +293,7 @@ impl dyn Material + '_ {
 
     /// Length of the body across the plane at a position, m: the thickness, or the way round the axis.
     pub fn across(&self, [x, _]: [f64; 2]) -> f64 {
-        if self.is_revolved() { TAU * x } else { self.about().thickness }
+        if self.surface() == Surface::Section { TAU * x } else { self.about().thickness }
     }
 }
 

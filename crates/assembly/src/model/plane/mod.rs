@@ -120,6 +120,11 @@ pub trait PlaneModel: BodyModel {
     /// Thickness, m.
     fn thickness(&self) -> f64;
 
+    /// Length of the body across the plane at x, m: the thickness, or the way around an axis at x = 0.
+    fn length_across(&self, _x: f64) -> f64 {
+        self.thickness()
+    }
+
     /// Stiffness of the material, Pa, from strains `[ε_xx, ε_yy, γ_xy]` to stresses `[σ_xx, σ_yy, σ_xy]`.
     fn stiffness(&self) -> Mat<3, 3>;
 

@@ -3,7 +3,6 @@
 use super::PlaneModel;
 use crate::body::in_space;
 use crate::quadrature::GAUSS;
-use std::f64::consts::TAU;
 
 /// A straight border from one end to the other, with its normal.
 pub(in super::super) type Side = ([[f64; 2]; 2], [f64; 2]);
@@ -20,12 +19,11 @@ pub(in super::super) fn through_border(
     for &([from, to], normal) in sides {
         let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
         let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let across = |x: f64| if model.is_revolved() { TAU * x } else { model.thickness() };
         for ends in lattice.crossings(from, to).windows(2) {
             for (share, weight) in GAUSS {
                 let along = ends[0] + share * (ends[1] - ends[0]);
                 let at = [0, 1].map(|k| from[k] + along * (to[k] - from[k]));
-                let length = weight * (ends[1] - ends[0]) * length * across(at[0]);
+                let length = weight * (ends[1] - ends[0]) * length * model.length_across(at[0]);
                 for (p, share) in shares(in_space(at), in_space(normal)).expect("a place on the border") {
                     (0..2).for_each(|k| force[k * n + p] += share * length * traction[k]);
                 }

@@ -106,12 +106,12 @@ impl Points for StateBased {
 impl Model<2> for StateBased {
     fn rigid_motions(&self) -> &'static [RigidMotion] {
         // A body of revolution moves along its axis alone.
-        if self.is_revolved() { &RIGID_MOTIONS[1..2] } else { &RIGID_MOTIONS }
+        if self.parameters.is_axisymmetric() { &RIGID_MOTIONS[1..2] } else { &RIGID_MOTIONS }
     }
 
     fn calibration_error(&self) -> f64 {
         // Next to an axis weights are found with fewer digits, measured.
-        if self.is_revolved() { 3e-12 } else { calibration_error(self) }
+        if self.parameters.is_axisymmetric() { 3e-12 } else { calibration_error(self) }
     }
 
     fn contrast(&self) -> f64 {
@@ -166,7 +166,7 @@ impl Model<2> for StateBased {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
-        let kind = if self.is_revolved() { 1 } else { kind };
+        let kind = if self.parameters.is_axisymmetric() { 1 } else { kind };
         let [x, y, _] = rigid_motion(kind, self.position(point), centre);
         [x, y]
     }
@@ -178,7 +178,7 @@ impl Solvable<2> for StateBased {
         let real = Arc::new(body.real.coarser());
         // The axis comes back by itself.
         let mut mirrors = body.mirrors.coarser()?;
-        if self.is_revolved() {
+        if self.parameters.is_axisymmetric() {
             mirrors.lines[0][0] = None;
         }
         let half = offsets(parameters);

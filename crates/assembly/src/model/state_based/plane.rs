@@ -7,6 +7,7 @@ use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
 use crate::model::solid::TENSOR;
 use crate::model::{BodyFields, BodyModel, Points};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 impl BodyModel for StateBased {
@@ -48,10 +49,6 @@ impl BodyModel for StateBased {
             }
         }
         gone
-    }
-
-    fn is_revolved(&self) -> bool {
-        self.parameters.is_axisymmetric()
     }
 
     fn hardly_compresses(&self) -> bool {
@@ -96,6 +93,10 @@ impl PlaneModel for StateBased {
         }
     }
 
+    fn length_across(&self, x: f64) -> f64 {
+        if self.parameters.is_axisymmetric() { TAU * x } else { self.thickness() }
+    }
+
     fn stiffness(&self) -> Mat<3, 3> {
         self.parameters.stiffness()
     }
@@ -136,7 +137,7 @@ impl PlaneModel for StateBased {
     ) {
         let stress = |p: usize| stress_at(p, self.place(p));
         self.body.add_stress_work(&self.parameters, points, &stress, force);
-        if !self.is_revolved() {
+        if !self.parameters.is_axisymmetric() {
             return;
         }
         // The stress across is that along x, with the volumes of the energies.

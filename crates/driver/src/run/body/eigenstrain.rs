@@ -2,6 +2,7 @@
 
 use super::fields::Recovered;
 use super::of_stress::component;
+use crate::model::Surface;
 use crate::scene::body::{Eigenstrain, EigenstrainPart};
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::model::{BodyFields, BodyModel};
@@ -19,12 +20,12 @@ pub struct EigenStress {
 }
 
 impl EigenStress {
-    fn new(of: &Eigenstrain, radius: Option<f64>, model: &dyn BodyModel) -> Self {
+    fn new(of: &Eigenstrain, surface: Surface, model: &dyn BodyModel) -> Self {
         let nothing = || vec![0.0; model.points()];
         let stress = model.tensor_components().iter().map(|_| nothing()).collect();
         let mut found = Self { change: of.change.clone(), stress, across: Vec::new() };
         for part in &of.parts {
-            let (stress, across) = of_part(part, radius, model);
+            let (stress, across) = of_part(part, surface, model);
             found.stress.iter_mut().zip(stress).for_each(|(to, own)| add(to, &own));
             if found.across.is_empty() {
                 found.across = across;
@@ -51,13 +52,13 @@ fn add(to: &mut [f64], own: &[f64]) {
 }
 
 /// The stresses of a part by component, and those across the plane or around the axis where there are any.
-fn of_part(part: &EigenstrainPart, radius: Option<f64>, model: &dyn BodyModel) -> (Vec<Vec<f64>>, Vec<f64>) {
+fn of_part(part: &EigenstrainPart, surface: Surface, model: &dyn BodyModel) -> (Vec<Vec<f64>>, Vec<f64>) {
     let unit = &part.unit;
     // What stretches a body is no motion of one whose sides are joined; a cylinder widens.
     let joined = model.lattice().map_or([false; 3], |(_, mirrors)| mirrors.joined);
-    let stretches = !joined[0] && (radius.is_some() || !joined[1]) && !joined[2];
+    let stretches = !joined[0] && (matches!(surface, Surface::Cylinder(_)) || !joined[1]) && !joined[2];
     // Points at edges and cracks that nothing completes have other moduli than those inside.
-    let own = stretches.then(|| stretched(part, radius, model));
+    let own = stretches.then(|| stretched(part, surface, model));
     let times = |value: f64, own: Option<&Vec<f64>>| -> Vec<f64> {
         match own {
             Some(own) => part.free.iter().zip(own).map(|(free, s)| free * s).collect(),
@@ -85,7 +86,7 @@ fn of_part(part: &EigenstrainPart, radius: Option<f64>, model: &dyn BodyModel) -
 }
 
 /// What is recovered where a body stretches by a unit, a linear motion of no rotation.
-fn stretched(part: &EigenstrainPart, radius: Option<f64>, model: &dyn BodyModel) -> BodyFields {
+fn stretched(part: &EigenstrainPart, surface: Surface, model: &dyn BodyModel) -> BodyFields {
     let strain = model.strains_of(part.unit.stress, part.unit.across_stress);
     let of = |name: &str| component(model, name).map_or(0.0, |k| strain[k]);
     let (half_xy, half_yz, half_xz) = (0.5 * of("xy"), 0.5 * of("yz"), 0.5 * of("xz"));
@@ -96,11 +97,11 @@ fn stretched(part: &EigenstrainPart, radius: Option<f64>, model: &dyn BodyModel)
         let Some(plane) = model.along(axis) else { continue };
         for p in 0..n {
             let at = model.position(p);
-            u[plane * n + p] = match (axis, radius) {
-                (0, Some(_)) => of("xx") * at[0],
-                (1, Some(_)) => of("xy") * at[0],
-                (_, Some(radius)) => of("yy") * radius,
-                (_, None) => (0..3).map(|k| rows[axis][k] * at[k]).sum(),
+            u[plane * n + p] = match (axis, surface) {
+                (0, Surface::Cylinder(_)) => of("xx") * at[0],
+                (1, Surface::Cylinder(_)) => of("xy") * at[0],
+                (_, Surface::Cylinder(radius)) => of("yy") * radius,
+                _ => (0..3).map(|k| rows[axis][k] * at[k]).sum(),
             };
         }
     }
@@ -109,8 +110,8 @@ fn stretched(part: &EigenstrainPart, radius: Option<f64>, model: &dyn BodyModel)
 
 impl Recovered {
     /// Takes the stresses of strains that need no stress off those of all strains; what is stored is what the rest has.
-    pub(super) fn take_off(&mut self, of: &Eigenstrain, radius: Option<f64>, model: &dyn BodyModel) {
-        let own = EigenStress::new(of, radius, model);
+    pub(super) fn take_off(&mut self, of: &Eigenstrain, surface: Surface, model: &dyn BodyModel) {
+        let own = EigenStress::new(of, surface, model);
         if !own.across.is_empty() && self.across.is_empty() {
             self.across = (0..of.change.len()).map(|p| model.across_at(p, self.at(|s| s[p]))).collect();
         }
@@ -121,7 +122,7 @@ impl Recovered {
                 *value -= across;
             }
             let across = self.across.get(p).copied().unwrap_or_default();
-            self.energy_density[p] = stored(of, (p, model), self.at(|s| s[p]), across);
+            self.energy_density[p] = stored(of, (p, model, surface), self.at(|s| s[p]), across);
         }
         self.eigenstrain = Some(Box::new(own));
     }
@@ -135,7 +136,7 @@ impl Recovered {
 /// Energy density of stresses, `½ σ : C⁻¹ σ` in space.
 fn stored(
     of: &Eigenstrain,
-    (point, model): (usize, &dyn BodyModel),
+    (point, model, surface): (usize, &dyn BodyModel, Surface),
     stress: [f64; TENSOR],
     across: f64,
 ) -> f64 {
@@ -144,7 +145,7 @@ fn stored(
     let held = of.parts.iter().map(|part| &part.unit).find(|unit| unit.across_strain != 0.0);
     let besides = match held {
         // Around the axis the material is as it is along the radius.
-        _ if model.is_revolved() => {
+        _ if surface == Surface::Section => {
             let [x, y, shear, ..] = stress;
             across * model.strains_at(point, [across, y, shear, 0.0, 0.0, 0.0], x)[0]
         }

@@ -45,7 +45,7 @@ impl Recovered {
             eigenstrain: None,
         };
         if let Some(own) = eigenstrain {
-            found.take_off(own, scene.material().cylinder_radius(), model);
+            found.take_off(own, scene.material().surface(), model);
         }
         found.fill_images(scene);
         found

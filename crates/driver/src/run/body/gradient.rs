@@ -30,7 +30,8 @@ pub(crate) fn steepest(scene: &BodyScene, result: &BodyResult) -> Steepest {
     let (Some(ux), Some(uy)) = (values(FieldName::Ux), values(FieldName::Uy)) else { return found };
     let w = values(FieldName::W);
     let shell = w.as_deref().zip(scene.material().cylinder_radius());
-    let neighbours = Neighbours { lattice, u: [&ux, &uy], shell, is_revolved: scene.model.is_revolved() };
+    let is_around = scene.material().surface().axis().is_some();
+    let neighbours = Neighbours { lattice, u: [&ux, &uy], shell, is_around };
     let is_cut = |point: usize| damage.as_ref().is_some_and(|damage| damage[point] > 0.0);
     for run in lattice.runs() {
         for (column, point) in run.columns.clone().zip(run.points()).filter(|(_, point)| !is_cut(*point)) {
@@ -52,7 +53,8 @@ struct Neighbours<'a> {
     u: [&'a [f64]; 2],
     /// Displacements across the surface of a shell, and its radius.
     shell: Option<(&'a [f64], f64)>,
-    is_revolved: bool,
+    /// Whether x is the radius, so that rings stretch around the axis.
+    is_around: bool,
 }
 
 impl Neighbours<'_> {
@@ -77,7 +79,7 @@ impl Neighbours<'_> {
             }
             ([x, y], _) => x.or(y).map(f64::abs),
         };
-        let hoop = if self.is_revolved { self.u[0][point] / self.lattice.place(point)[0] } else { around };
+        let hoop = if self.is_around { self.u[0][point] / self.lattice.place(point)[0] } else { around };
         let tilt = self.shell.map_or(0.0, |(w, radius)| {
             let [x, y] = next.map(|to| to.map_or(0.0, |to| slope(w, to)));
             x.hypot(y - self.u[1][point] / radius)
@@ -100,7 +102,7 @@ mod tests {
         };
         let (x, y, w) = (along(0), along(1), [0.3; 4]);
         let shell = shell.map(|radius| (&w[..], radius));
-        let neighbours = Neighbours { lattice: &lattice, u: [&x, &y], shell, is_revolved: false };
+        let neighbours = Neighbours { lattice: &lattice, u: [&x, &y], shell, is_around: false };
         neighbours.at([0; 3], 0)
     }
 

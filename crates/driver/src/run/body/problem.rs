@@ -3,6 +3,7 @@
 use super::local::Local;
 use super::{levels, solid_memory};
 use crate::case::Solver;
+use crate::model::Surface;
 use crate::run::{Coarser, Corrections, Problem, Spread, TOO_MANY_POINTS};
 use crate::scene::body::BodyScene;
 use peristat_assembly::body::Crack;
@@ -145,7 +146,7 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
 
     fn remedy(&self) -> &'static str {
         match self.apart {
-            "" if self.scene.material().is_revolved() => {
+            "" if self.scene.material().surface() == Surface::Section => {
                 "a body of revolution needs `uy` held on one place, in every part that cracks and holes leave"
             }
             "" if self.model.along(0).is_none() => {

@@ -143,7 +143,7 @@ pub(super) fn of_mirrors(
     let mut sums = [const { None }; 6];
     for (k, line) in lines.as_flattened().iter().enumerate() {
         // Nothing goes through the axis of a body of revolution.
-        let is_axis = k == 0 && scene.model.is_revolved();
+        let is_axis = scene.material().surface().axis() == Some(k);
         sums[k] = line.filter(|_| !mirrors.joined[k / 2] && !is_axis).map(|_| Sum::default());
     }
     let of_ghosts = &multipliers[scene.equations.len()..];

@@ -29,7 +29,7 @@ impl BodyScene {
     pub fn slack(&self, state: &BodyState) -> f64 {
         let has_one_stress = |&(case, _): &(usize, f64)| self.load_cases[case].carry_ends;
         let by_formula = |&(case, _): &(usize, f64)| self.load_cases[case].by_formula;
-        if self.model.is_revolved() && state.terms.iter().any(has_one_stress) {
+        if self.material().surface().axis().is_some() && state.terms.iter().any(has_one_stress) {
             f64::INFINITY
         } else if state.terms.iter().any(by_formula) {
             KINKS
@@ -81,8 +81,9 @@ impl BodyScene {
 /// antiplane shear resist no rotation.
 fn statical(model: &dyn BodyModel, material: &dyn Material) -> Counted {
     let only_along = |axis: usize| [0, 1, 2].map(|k| k == axis);
-    if model.is_revolved() {
-        return Counted { force: only_along(1), moment: [false; 3] };
+    let force = material.surface().resultant();
+    if force.contains(&false) {
+        return Counted { force, moment: [false; 3] };
     }
     let mirrors = model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
     if material.cylinder_radius().is_some() {

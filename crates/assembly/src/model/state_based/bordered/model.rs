@@ -12,6 +12,7 @@ use crate::condition::Equation;
 use crate::model::solid::TENSOR;
 use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 impl Points for BorderedState {
@@ -32,7 +33,7 @@ impl Points for BorderedState {
 impl Model<2> for BorderedState {
     fn rigid_motions(&self) -> &'static [RigidMotion] {
         // A body of revolution moves along its axis alone.
-        if self.is_revolved() { &RIGID_MOTIONS[1..2] } else { &RIGID_MOTIONS }
+        if self.parameters.is_axisymmetric() { &RIGID_MOTIONS[1..2] } else { &RIGID_MOTIONS }
     }
 
     fn calibration_error(&self) -> f64 {
@@ -66,7 +67,7 @@ impl Model<2> for BorderedState {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
-        let kind = if self.is_revolved() { 1 } else { kind };
+        let kind = if self.parameters.is_axisymmetric() { 1 } else { kind };
         let [x, y, _] = rigid_motion(kind, self.position(point), centre);
         [x, y]
     }
@@ -74,7 +75,7 @@ impl Model<2> for BorderedState {
 
 impl Solvable<2> for BorderedState {
     fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<2>>> {
-        Some(Box::new(match self.is_revolved() {
+        Some(Box::new(match self.parameters.is_axisymmetric() {
             true => self.coarser_ring()?,
             false => Self::new(self.plate.coarser(cuts)?, self.parameters),
         }))
@@ -118,10 +119,6 @@ impl BodyModel for BorderedState {
         self.plate.damage()
     }
 
-    fn is_revolved(&self) -> bool {
-        self.parameters.is_axisymmetric()
-    }
-
     fn hardly_compresses(&self) -> bool {
         self.parameters.hardly_compresses()
     }
@@ -145,7 +142,11 @@ impl BodyModel for BorderedState {
 
 impl PlaneModel for BorderedState {
     fn thickness(&self) -> f64 {
-        if self.is_revolved() { 1.0 } else { self.plate.kind.thickness }
+        if self.parameters.is_axisymmetric() { 1.0 } else { self.plate.kind.thickness }
+    }
+
+    fn length_across(&self, x: f64) -> f64 {
+        if self.parameters.is_axisymmetric() { TAU * x } else { self.thickness() }
     }
 
     fn stiffness(&self) -> Mat<3, 3> {

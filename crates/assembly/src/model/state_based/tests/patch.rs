@@ -11,7 +11,7 @@ fn traction(model: &StateBased, motion: [f64; 4], hold: &[(usize, usize)]) -> f6
     let exact = linear(model, motion);
     let points = real_points(model);
     let [a, b, c, d] = motion;
-    let hoop = if model.is_revolved() { a } else { 0.0 };
+    let hoop = if model.parameters.is_axisymmetric() { a } else { 0.0 };
     let parameters = model.parameters();
     let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
     let pressure = lame * (a + d + hoop);
@@ -29,7 +29,7 @@ fn traction(model: &StateBased, motion: [f64; 4], hold: &[(usize, usize)]) -> f6
 fn energy_ratio(model: &StateBased, motion: [f64; 4]) -> f64 {
     let u = linear(model, motion);
     let [a, b, c, d] = motion;
-    let hoop = if model.is_revolved() { a } else { 0.0 };
+    let hoop = if model.parameters.is_axisymmetric() { a } else { 0.0 };
     let parameters = model.parameters();
     let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
     let density =

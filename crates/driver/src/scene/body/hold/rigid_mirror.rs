@@ -10,7 +10,7 @@ use peristat_assembly::body::PointBody;
 pub(crate) fn check(rigid: &[RigidPoints], inputs: &ModelInputs, faults: &mut Faults) {
     let (PointBody::Lattice(lattice) | PointBody::Solid(lattice)) = &inputs.body else { return };
     // Bodies of revolution have no rigid regions, and were refused.
-    if inputs.material.is_revolved() {
+    if inputs.material.surface().axis().is_some() {
         return;
     }
     let axes = inputs.body.axes();

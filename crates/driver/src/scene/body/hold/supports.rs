@@ -6,7 +6,7 @@ use super::held_points::HeldPoints;
 use super::{support_keys, support_parts};
 use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath, root};
-use crate::model::Material;
+use crate::model::{Material, Surface};
 use crate::scene::body::site::boundary::{self, Stretch};
 use crate::scene::body::site::ground::{Ground, NamedPoints};
 use crate::scene::body::site::model_inputs::ModelInputs;
@@ -59,10 +59,10 @@ pub(crate) fn held(
 ) -> Vec<HeldSupport> {
     let case = ground.case;
     if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
-        let hint = match (material.is_revolved(), material.has("uz")) {
-            (true, _) => REVOLVED_EXAMPLE,
-            (_, true) => SOLID_EXAMPLE,
-            _ => EXAMPLE,
+        let hint = match material.surface() {
+            Surface::Section => REVOLVED_EXAMPLE,
+            Surface::Solid => SOLID_EXAMPLE,
+            Surface::Flat | Surface::Cylinder(_) => EXAMPLE,
         };
         let message = "nothing holds the body: `supports` is empty";
         faults.error(root("supports"), message).hint(hint).in_solution_only();

@@ -64,9 +64,9 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Lo
         let (whole, first) = (b0 - a0, b1 - a1);
         let across = context.material.across(middle);
         // A ring is the wider the farther from its axis.
-        let width = match context.material.is_revolved() {
-            true => TAU * (middle[0] * whole + a * tangent[0] * first),
-            false => across * whole,
+        let width = match context.material.surface().axis() {
+            Some(_) => TAU * (middle[0] * whole + a * tangent[0] * first),
+            None => across * whole,
         };
         let [x, y] = edge.normal.map(|n| -peak * a * width * n);
         resultants::add_force(context.material, &mut sum, [x, y, 0.0], in_space(middle));

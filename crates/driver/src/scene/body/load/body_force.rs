@@ -189,7 +189,7 @@ fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut Body
         (0..3).for_each(|k| to.density[k] += density[k]);
         return;
     }
-    if context.symmetry.mirrors.is_none() && !context.material.is_revolved() {
+    if context.symmetry.mirrors.is_none() && context.material.surface().resultant() == [true; 3] {
         lump::add_resultant(&mut forces, &missing, context);
     } else {
         // A mirror takes moments, and rings have none.

@@ -112,7 +112,7 @@ impl LoadContext<'_> {
 
     /// What the divergence of a stress along the axis of a body of revolution has beside that in the plane: `S_xy/x`, N/m³.
     pub(crate) fn around_axis(&self, [_, _, shear]: [f64; 3], [x, _]: [f64; 2]) -> f64 {
-        if self.material.is_revolved() { shear / x } else { 0.0 }
+        if self.material.surface().axis().is_some() { shear / x } else { 0.0 }
     }
 }
 

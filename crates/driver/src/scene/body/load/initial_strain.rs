@@ -17,7 +17,7 @@ pub(super) fn resolve(
     faults: &mut Faults,
 ) {
     let mut is_fine = eigenstrain::is_borne("initial_strain", context, path, faults);
-    if context.material.is_revolved() {
+    if context.material.surface().axis().is_some() {
         faults
             .error(path.clone(), "a body of revolution has no `initial_strain`")
             .hint("a `temperature` stretches it alike in all directions");

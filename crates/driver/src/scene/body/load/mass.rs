@@ -20,7 +20,8 @@ pub(crate) fn gravity(
 ) {
     let Some(along) = context.force(load.along, "along", &path.key("along"), faults) else { return };
     let is_shell = context.material.has("w") && context.material.has("ux");
-    if (context.material.is_revolved() && along[0] != 0.0) || (is_shell && along[1..] != [0.0; 2]) {
+    let counts = context.material.surface().resultant();
+    if (0..3).any(|k| !counts[k] && along[k] != 0.0) || (is_shell && along[1..] != [0.0; 2]) {
         let axis = if is_shell { "x, [1, 0, 0] or [-1, 0, 0]" } else { "y, [0, 1] or [0, -1]" };
         faults
             .error(path.key("along"), "weight across the axis is not the same all around it")
@@ -76,7 +77,6 @@ pub(crate) fn spin(
     faults: &mut Faults,
 ) {
     let value = mass::spin(context.ground.case, load, path, faults);
-    let is_revolved = context.material.is_revolved();
     let Some((centre, across)) = axis(load, context, path, faults) else { return };
     if !fits(centre, across, context, path, faults) {
         return;
@@ -90,7 +90,7 @@ pub(crate) fn spin(
             Some(points) => points,
             None => return,
         },
-        None if is_revolved => {
+        None if context.material.surface().axis().is_some() => {
             to.spin += value;
             return;
         }
@@ -119,7 +119,7 @@ fn turn(
         let at = context.ground.body.position(p as usize);
         let scale = value * context.volume(p);
         let force = std::array::from_fn(|k| if across[k] { scale * (at[k] - centre[k]) } else { 0.0 });
-        if !context.material.is_revolved() {
+        if context.material.surface().resultant() == [true; 3] {
             resultants::add_force(context.material, &mut to.asked, force, at);
         }
         to.forces.push((p, force));
@@ -128,7 +128,7 @@ fn turn(
 
 /// Mirrors: the axis across them, their names and their positions. The axis of a body of revolution is none.
 fn mirrors(context: &LoadContext) -> impl Iterator<Item = (usize, &'static str, f64)> {
-    let is_axis = move |side: usize| side == 0 && context.material.is_revolved();
+    let is_axis = move |side: usize| context.material.surface().axis() == Some(side);
     let at = context.symmetry.at.iter().enumerate().filter(move |(side, _)| !is_axis(*side));
     at.filter_map(|(side, at)| Some((side / 2, SIDES[side], (*at)?)))
 }
@@ -175,7 +175,7 @@ fn axis(
 ) -> Option<([f64; 3], [bool; 3])> {
     let material = context.material;
     let [is_plane, is_solid] = [material.has("uy"), material.has("uz")];
-    if material.is_revolved() {
+    if material.surface().axis().is_some() {
         for (key, _) in
             [("about", load.about.is_some()), ("axis", load.axis.is_some())].iter().filter(|k| k.1)
         {

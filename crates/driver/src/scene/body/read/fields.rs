@@ -2,7 +2,7 @@
 
 use crate::case::{Case, FieldName, Load, Origin};
 use crate::diagnostic::{Faults, JsonPath};
-use crate::model::Material;
+use crate::model::{Material, Surface};
 use crate::scene::body::hold::rigid::{self, MOTIONS};
 use crate::scene::words;
 use peristat_assembly::model::BodyModel;
@@ -26,6 +26,8 @@ pub(crate) struct Says {
     has_strengths: bool,
     is_heated: bool,
     has_materials: bool,
+    /// What the plane stands for; around an axis there is a stress of its own.
+    surface: Option<Surface>,
 }
 
 impl Says {
@@ -38,6 +40,7 @@ impl Says {
             has_strengths: case.strengths.is_some(),
             is_heated: loads.any(heats),
             has_materials: !case.materials.is_empty(),
+            surface: Some(material.surface()),
         }
     }
 }
@@ -54,7 +57,8 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
         }
         // That across a section follows from the others, or is zero.
         Origin::Stress("zz") => {
-            or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Unlisted)
+            let is_around = says.surface.is_some_and(|surface| surface.axis().is_some());
+            or(is_around || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Unlisted)
         }
         Origin::Strain(..) | Origin::Stress(_) => Has::No,
         Origin::Material => or(says.has_materials, Has::No),
@@ -129,7 +133,9 @@ pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<Fiel
 /// The fields that probes of a case can ask for which has this model and whatever gives fields: rigid regions, cracks, strengths.
 pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<FieldName> {
     let (has_fibres, has_materials) = (material.fibres().is_some(), material.other_materials().is_ok());
-    of_probes(model, (true, true), Says { has_fibres, has_strengths: true, is_heated: true, has_materials })
+    let surface = Some(material.surface());
+    let says = Says { has_fibres, has_strengths: true, is_heated: true, has_materials, surface };
+    of_probes(model, (true, true), says)
 }
 
 fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {

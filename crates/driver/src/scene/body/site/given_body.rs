@@ -51,7 +51,7 @@ pub(crate) fn read(
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
     let body::Built { mut body, outline, solid, curves, parts: own, file } = built?;
     if let (PointBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
-        && material.as_ref().is_some_and(|material| material.is_revolved())
+        && material.as_ref().is_some_and(|material| material.surface().axis().is_some())
     {
         *lattice = outline.with_centres(lattice.clone());
     }
@@ -144,7 +144,7 @@ fn complete(
     let can_end =
         !may_break && left.is_none() && lattice.is_some_and(|lattice| material.has_border(lattice, mirrors));
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
-        if material.is_revolved() && ends_on_border {
+        if material.surface().axis().is_some() && ends_on_border {
             warn_of_corners(about.name, faults);
         }
         return;

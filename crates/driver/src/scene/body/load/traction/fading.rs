@@ -256,7 +256,8 @@ pub(crate) fn missing(
         .for_each(|&(p, f)| resultants::add_force(context.material, &mut rest, f.map(|f| -f), at(p)));
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 3])).collect();
     let Some(model) = context.model else { return small };
-    let is_flat = !model.is_revolved() && context.material.cylinder_radius().is_none();
+    let counts = context.material.surface().resultant();
+    let is_flat = counts == [true; 3] && context.material.cylinder_radius().is_none();
     if context.symmetry.mirrors.is_none() && is_flat {
         // A stress that goes through no mirror has no resultant.
         lump::add_resultant(&mut small, &rest, context);
@@ -271,13 +272,12 @@ pub(crate) fn missing(
     };
     let (sum, size) = sums(&lumped);
     let inside = inside(traction, context);
-    // Rings have no force along x.
-    (0..3).filter(|&k| inside[k] || (k == 0 && model.is_revolved())).for_each(|k| rest[k] = 0.0);
+    (0..3).filter(|&k| inside[k] || !counts[k]).for_each(|k| rest[k] = 0.0);
     if matches!(traction.border, Border::Edge(_)) {
         return lumped.iter().map(|f| (f.0, rest.map(|r| r / lumped.len() as f64))).collect();
     }
     let is_one_way = sum[1].abs() > ONE_WAY * size[1];
-    if matches!(traction.profile, Profile::Pressure(_)) && model.is_revolved() && is_one_way {
+    if matches!(traction.profile, Profile::Pressure(_)) && !counts[0] && is_one_way {
         // A pressure is off by the same part all around.
         rest[0] = rest[1] * sum[0] / sum[1];
     }

@@ -136,8 +136,7 @@ fn settle(forces: &mut Forces, mut wanted: Resultant, is_halved: bool, context: 
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
-    // A ring has no force along its radius and no moment as a whole.
-    if is_halved || context.material.is_revolved() {
+    if is_halved || context.material.surface().resultant() != [true; 3] {
         return;
     }
     wanted.add_multiple(-1.0, &found);

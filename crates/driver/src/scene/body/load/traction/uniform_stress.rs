@@ -153,7 +153,7 @@ pub(crate) fn find(tractions: &[OnBorder], context: &LoadContext) -> Option<Unif
 
 /// Forces of the divergence that a uniform shear has in a body of revolution.
 fn divergence(stress: [f64; 3], context: &LoadContext) -> Forces {
-    if !context.material.is_revolved() || stress[2] == 0.0 {
+    if context.material.surface().axis().is_none() || stress[2] == 0.0 {
         return Vec::new();
     }
     let force = |p: u32| {
