@@ -11,7 +11,7 @@ use super::{StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Point;
 use crate::condition::{Equation, Unknown};
-use crate::model::{BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
