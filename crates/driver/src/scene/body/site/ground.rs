@@ -309,7 +309,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole
-    /// one where rows are turned, and within an outline and, but for rounding, on a hole: there cells may have their centres outside.
+    /// one where rows are turned or, with the limit `local`, on a hole but for rounding: there cells may have their centres outside.
     pub(crate) fn point_at(
         &self,
         position: [f64; 3],
@@ -331,11 +331,10 @@ impl<'a> Ground<'a> {
         let place = [position[0], position[1]];
         let is_on = |hole: &Hole| hole.shape.distance(place) <= 1e-6 * self.body.spacing();
         let is_within = |outline: &Outline| outline.contains(place) || outline.holes().iter().any(is_on);
+        let is_told = self.case.is_corrected() && self.outline.is_some_and(is_within);
         // Half a diagonal of a cell.
         let most = match self.body {
-            PointBody::Lattice(lattice) if lattice.is_turned() || self.outline.is_some_and(is_within) => {
-                std::f64::consts::SQRT_2
-            }
+            PointBody::Lattice(lattice) if lattice.is_turned() || is_told => std::f64::consts::SQRT_2,
             body => 0.5 * (body.axes() as f64).sqrt(),
         };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {
