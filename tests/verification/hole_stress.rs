@@ -87,6 +87,16 @@ fn what_acts_beside_a_hole_leaves_its_stress_to_the_points() {
     assert!(misfit(load(json!({ "point": { "at": { "x": 30.5, "y": 2.5 }, "force_x": 1 } }))).is_some());
 }
 
+/// A place that is written with four digits is 5e-5 off the border, and its stress that of the border.
+#[test]
+fn places_of_four_digits_are_on_the_hole() {
+    let probe = |name: &str, [x, y]: [f64; 2]| json!({ "name": name, "at": { "x": x, "y": y }, "field": "stress_xx" });
+    let probes = json!([probe("all", [0.871557427477, 9.96194698092]), probe("four", [0.8716, 9.9619])]);
+    let found = solve(&pulled(&json!({ "probes": probes }))).probes;
+    let [all, four] = [0, 1].map(|k| found[k].value);
+    assert!(found[1].misfit.is_some() && (four / all - 1.0).abs() < 2e-4, "{all} {four}");
+}
+
 #[test]
 fn a_whole_plate_and_its_quarter_have_the_same_stress_at_a_hole() {
     let whole = pulled(&json!({}));

@@ -46,6 +46,7 @@ pub struct Fracture {
 
 /// A part of a body in which the direction of a crack is found, as that in which the middles of the broken bonds spread most.
 /// Checks know it as `<name>_direction`, degrees from x, -45 to 135, and the number of these bonds as `<name>_bonds`.
+/// Fewer than two bonds have no direction, and its check fails.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CrackDirection {

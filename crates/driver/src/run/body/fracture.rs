@@ -78,7 +78,9 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
             };
             let inside = |at: &[f64; 2]| (0..2).all(|k| part.from[k] < at[k] && at[k] < part.to[k]);
             let middles: Vec<[f64; 2]> = broken.iter().map(middle).filter(inside).collect();
-            facts.extend(part.facts().into_iter().zip([direction(&middles), middles.len() as f64]));
+            let known = [direction(&middles), Some(middles.len() as f64)];
+            facts
+                .extend(part.facts().into_iter().zip(known).filter_map(|(name, value)| Some((name, value?))));
         }
         facts
     }
@@ -110,13 +112,16 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
     }
 }
 
-/// Direction in which points spread most, degrees from x, −45 to 135: not 0 nor 90 is at an end; of fewer than two it is 0.
-fn direction(points: &[[f64; 2]]) -> f64 {
-    let n = points.len().max(1) as f64;
+/// Direction in which points spread most, degrees from x, −45 to 135: not 0 nor 90 is at an end; fewer than two have none.
+fn direction(points: &[[f64; 2]]) -> Option<f64> {
+    if points.len() < 2 {
+        return None;
+    }
+    let n = points.len() as f64;
     let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);
     let moment = |a: usize, b: usize| points.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>();
     let angle = 0.5 * (2.0 * moment(0, 1)).atan2(moment(0, 0) - moment(1, 1));
-    (angle.to_degrees() + 45.0).rem_euclid(180.0) - 45.0
+    Some((angle.to_degrees() + 45.0).rem_euclid(180.0) - 45.0)
 }
 
 #[cfg(test)]
@@ -128,10 +133,14 @@ mod tests {
         for degrees in [-44.0, 0.0, 30.0, 90.0, 134.0_f64] {
             let (s, c) = degrees.to_radians().sin_cos();
             let points: Vec<[f64; 2]> = (0..9).map(f64::from).map(|t| [1.0 + t * c, t * s - 3.0]).collect();
-            let found = direction(&points);
+            let found = direction(&points).unwrap();
             assert!((found - degrees).abs() < 1e-9, "{found}");
         }
-        assert_eq!(direction(&[]), 0.0);
-        assert!(direction(&[[0.0, 1e-16], [1.0, 0.0]]).abs() < 1e-12);
+        assert!(direction(&[[0.0, 1e-16], [1.0, 0.0]]).unwrap().abs() < 1e-12);
+    }
+
+    #[test]
+    fn fewer_than_two_places_have_no_direction() {
+        assert_eq!([direction(&[]), direction(&[[1.0, 2.0]])], [None; 2]);
     }
 }

@@ -18,8 +18,9 @@ const NARROWEST: f64 = 1.3;
 const ORDERS: [usize; 3] = [6, 4, 3];
 /// More points than this add nothing.
 const MOST_POINTS: usize = 4000;
-/// A probe is on a hole whose distance from it is no larger a part of the radius.
-const ON_BORDER: f64 = 1e-6;
+/// A probe is on a hole whose distance from it is no larger a part of the radius: places are written with three or four digits, and
+/// the fields around a hole are known beside it, too.
+const ON_BORDER: f64 = 1e-3;
 /// Places of a border at which its distance is measured.
 const PLACES: usize = 64;
 /// Horizons around a hole whose points its own tractions load.
