@@ -30,6 +30,9 @@ use rayon::prelude::*;
 use residual::Residual;
 use weight::Weight;
 
+/// How far from the border displacements are replaced by those of fits, which are smooth, in horizons.
+const BAND: f64 = 2.0;
+
 /// What the fits are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitting {
@@ -37,8 +40,6 @@ pub struct Fitting {
     pub degree: i32,
     /// How far they see, in spacings.
     pub reach: f64,
-    /// How far from the border displacements are replaced by theirs, which are smooth, in horizons.
-    pub band: f64,
 }
 
 /// What bounds a body, lines of symmetry left out.
@@ -88,7 +89,7 @@ impl Correction {
         let body = (&grid, &border, bounds.outline);
         let residual = Residual::new(body, (model.thickness(), bounds.holes), &mut fits)?;
         let weight = Weight::new(&model.stiffness(), grid.symmetric_origin())?;
-        let depth = fitting.band * horizon_ratio;
+        let depth = BAND * horizon_ratio;
         let (mut beside, mut in_holes) = (Vec::new(), Vec::new());
         for (number, place) in grid.real() {
             let place = place.map(f64::from);

@@ -10,7 +10,7 @@ use crate::model::plane::{Calibration, Edges, Mirrors};
 use crate::recovery::hole::{Ellipse, HoleFields, HoleFit, HoleLoad};
 use std::sync::Arc;
 
-const FITTING: Fitting = Fitting { degree: 4, reach: 3.0, band: 2.0 };
+const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
 
 /// No weight and no holes.
 const NOTHING: ([f64; 2], &[HoleFit]) = ([0.0; 2], &[]);

@@ -15,7 +15,7 @@ use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::recovery::hole::{Field, HoleFit};
 
 /// Polynomials of the fourth degree over three spacings: 18 fields of 32 points.
-const FITTING: Fitting = Fitting { degree: 4, reach: 3.0, band: 2.0 };
+const FITTING: Fitting = Fitting { degree: 4, reach: 3.0 };
 /// A correction is not taken whose energy norm is a larger part of the one before it.
 const STALLED: f64 = 0.5;
 /// Corrections below this part of the displacements are rounding, which neither falls nor does harm.

@@ -21,6 +21,8 @@ const MOST_POINTS: usize = 4000;
 /// A probe is on a hole whose distance from it is no larger a part of the radius: places are written with three or four digits, and
 /// the fields around a hole are known beside it, too.
 const ON_BORDER: f64 = 1e-3;
+/// A line of symmetry runs through the middle of a hole, and an ellipse stands straight, but for rounding.
+const SAME: f64 = 1e-6;
 /// Places of a border at which its distance is measured.
 const PLACES: usize = 64;
 /// Horizons around a hole whose points its own tractions load.
@@ -80,7 +82,7 @@ impl HoleRing {
         let mirrors = sides.map(|side| side != 0.0);
         // The image of one that stands askew is another one.
         if mirrors.contains(&true)
-            && (2.0 * ellipse.turn).sin().abs() > ON_BORDER
+            && (2.0 * ellipse.turn).sin().abs() > SAME
             && ellipse.half_axes[0] != ellipse.half_axes[1]
         {
             return None;
@@ -185,7 +187,7 @@ fn sides(scene: &BodyScene, ellipse: &Ellipse) -> [f64; 2] {
     [0, 1].map(|k| {
         let at = &scene.inputs.symmetry.at[2 * k..2 * k + 2];
         let runs = |at: Option<f64>| {
-            at.is_some_and(|at| (at - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
+            at.is_some_and(|at| (at - ellipse.centre[k]).abs() <= SAME * ellipse.half_axes[k])
         };
         f64::from(u8::from(runs(at[0]))) - f64::from(u8::from(runs(at[1])))
     })
@@ -204,7 +206,7 @@ fn to_other_borders(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: 
     };
     let through = |from: [f64; 2], to: [f64; 2]| {
         let near = |k: usize| {
-            [from, to].iter().all(|p| (p[k] - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
+            [from, to].iter().all(|p| (p[k] - ellipse.centre[k]).abs() <= SAME * ellipse.half_axes[k])
         };
         (0..2).any(near)
     };
