@@ -22,6 +22,7 @@ mod load_factor;
 mod mass_load;
 mod modulus;
 mod names;
+mod overrides;
 mod path;
 mod periodic;
 mod plane_body;

@@ -2,11 +2,11 @@
 
 use super::Case;
 use super::library::Library;
-use crate::diagnostic::{self, Diagnostic, Faults, JsonPath, Report, Segment, decode, root, study_for_case};
+use super::overrides::with_overrides;
+use crate::diagnostic::{self, Diagnostic, Faults, JsonPath, Report, decode, root, study_for_case};
 use crate::input::{self, Folder};
 use serde_json::{Map, Value};
 use std::path::Path;
-use std::str::FromStr;
 
 /// A case with the text it came from, for messages.
 #[derive(Clone, Debug)]
@@ -74,19 +74,6 @@ pub fn from_text(file: &str, text: String, overrides: &[String], folder: &Folder
     Ok(Source { case, file: name, text: changed })
 }
 
-/// The text of a case with overrides.
-fn with_overrides(file: &str, text: &str, overrides: &[String]) -> Result<String, Report> {
-    let mut value: Value = diagnostic::parse(file, text)?;
-    for assignment in overrides {
-        set(&mut value, assignment).map_err(|message| {
-            let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
-            diagnostic.hint("for example `--set body.line.cells=200`");
-            Report { file: format!("--set {assignment}"), text: String::new(), diagnostics: vec![diagnostic] }
-        })?;
-    }
-    Ok(format!("{value:#}"))
-}
-
 /// The key of a library as texts have it.
 const LIBRARY: &str = "\"library\"";
 
@@ -110,45 +97,4 @@ fn with_library(file: &str, text: &str, folder: &Folder) -> Result<Case, Report>
         return Err(refuse(faults));
     }
     Ok(case)
-}
-
-/// Sets one value; missing keys are made, elements of lists must exist.
-fn set(root: &mut Value, assignment: &str) -> Result<(), String> {
-    let (path, value) = assignment.split_once('=').ok_or("an override has the form path=value")?;
-    let path = JsonPath::from_str(path.trim()).map_err(|e| e.to_string())?;
-    // What is no JSON is meant as a text.
-    let value = serde_json::from_str(value).unwrap_or_else(|_| Value::from(value));
-    let mut place = root;
-    for segment in &path.0 {
-        place = match (segment, place) {
-            (Segment::Key(key), Value::Object(map)) => {
-                map.entry(key).or_insert(Value::Object(Default::default()))
-            }
-            (Segment::Index(index), Value::Array(list)) => {
-                let length = list.len();
-                list.get_mut(*index).ok_or(format!("`{path}` names element {index} of a list of {length}"))?
-            }
-            _ => {
-                return Err(format!("`{path}` goes through a value that is neither an object nor a list"));
-            }
-        };
-    }
-    *place = value;
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn overrides_replace_and_add_values() {
-        let mut value: Value = serde_json::from_str(r#"{"a": {"b": [1, 2]}}"#).unwrap();
-        set(&mut value, "a.b[1]=5").unwrap();
-        set(&mut value, "a.c=text").unwrap();
-        assert_eq!(value, serde_json::json!({"a": {"b": [1, 5], "c": "text"}}));
-        assert!(set(&mut value, "a.b[2]=0").unwrap_err().contains("a list of 2"));
-        assert!(set(&mut value, "a.b").unwrap_err().contains("path=value"));
-        assert!(set(&mut value, "a.c.d=1").unwrap_err().contains("goes through"));
-    }
 }

@@ -96,7 +96,24 @@ impl Case {
         }
     }
 
-    /// The same with the horizon divided alike, so that their ratio stays.
+    /// Whether a crack that runs along an axis of a rectangle runs through points, if the spacing is divided by a factor: it
+    /// would cut all of their bonds.
+    pub fn cracks_run_through_points(&self, factor: f64) -> bool {
+        let Body::Rectangle(rectangle) = &self.body else { return false };
+        let is_on_points = |axis: usize, value: f64| {
+            let cells = (value - rectangle.from[axis]) * factor / rectangle.spacing;
+            let place = cells - 0.5;
+            cells > 0.0
+                && value < rectangle.from[axis] + rectangle.size[axis]
+                && (place - place.round()).abs() <= SLACK * cells.max(1.0)
+        };
+        let runs = |ends: &[[f64; 2]]| {
+            [0, 1].into_iter().any(|axis| ends[0][axis] == ends[1][axis] && is_on_points(axis, ends[0][axis]))
+        };
+        self.cracks.iter().filter_map(|crack| crack.path.as_deref()).any(|path| path.windows(2).any(runs))
+    }
+
+    /// [`Self::with_spacing_over`] with the horizon divided alike, so that their ratio stays.
     ///
     /// # Errors
     /// As [`Case::with_spacing_over`].

@@ -1,7 +1,7 @@
 //! What the results of a scene must be.
 
 use super::root;
-use crate::case::{Baseline, Case, Check, ClosedForm, Formula, Limit};
+use crate::case::{Baseline, Case, Check, ClosedForm, FRACTURE_FACTS, Formula, Fracture, Limit};
 use crate::diagnostic::{Faults, JsonPath, positive, suggest};
 
 /// A check, resolved.
@@ -173,8 +173,13 @@ fn state<'a>(
 
 fn probe(case: &Case, probes: &[&str], name: &str, path: &JsonPath, faults: &mut Faults) -> Option<usize> {
     let found = probes.iter().position(|p| *p == name);
-    // A probe with a fault of its own is not missing.
-    if found.is_none() && !case.probes.iter().any(|p| p.name == name) {
+    // A probe or a fracture with a fault of its own is not missing.
+    let is_fact = |fracture: &Fracture| {
+        let mut of_directions = fracture.directions.iter().flat_map(|direction| direction.facts());
+        FRACTURE_FACTS.contains(&name) || of_directions.any(|fact| fact == name)
+    };
+    let is_there = case.probes.iter().any(|p| p.name == name) || case.fracture.as_ref().is_some_and(is_fact);
+    if found.is_none() && !is_there {
         // Facts of bodies that break are among them.
         let others = case.probes.iter().map(|p| p.name.as_str()).filter(|name| !probes.contains(name));
         let known: Vec<&str> = probes.iter().copied().chain(others).collect();

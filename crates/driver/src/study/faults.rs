@@ -28,7 +28,12 @@ impl TaskFaults {
         let mut groups: Vec<(Vec<usize>, &Error)> = Vec::new();
         let mut known: HashMap<String, usize> = HashMap::new();
         for (task, error) in &self.faults {
-            let group = *known.entry(error.to_string()).or_insert(groups.len());
+            // What is wrong, not the lines that show it: these have the values of their task.
+            let fault = match error {
+                Error::Case(report) => format!("{:?}", report.diagnostics),
+                other => other.to_string(),
+            };
+            let group = *known.entry(fault).or_insert(groups.len());
             if group == groups.len() {
                 groups.push((Vec::new(), error));
             }

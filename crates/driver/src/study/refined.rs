@@ -124,10 +124,15 @@ impl Step {
         let Some(asked) = self.asked(ratio) else {
             return Ok(Level { size: Some(self.size), ..Level::alone(self.given.clone()) });
         };
-        // Where none fits, the body itself has a fault, which its case tells.
-        let found = case.fitting_factors(asked)?[0].filter(|factor| factor.is_finite()).unwrap_or(asked);
+        let whole = next(case, asked)?;
+        let mut found = whole;
+        while case.cracks_run_through_points(found) && found <= asked * (1.0 + NEAR) {
+            found = next(case, found * (1.0 + 1e-6))?;
+        }
         if found > asked * (1.0 + NEAR) {
-            return Err(self.unfit("leaves a part of a cell", case, ratio));
+            let is_whole = whole <= asked * (1.0 + NEAR);
+            let wrong = if is_whole { "puts a crack on a row of points" } else { "leaves a part of a cell" };
+            return Err(self.unfit(wrong, case, ratio));
         }
         let is_asked = (found - asked).abs() <= SAME * asked;
         let factor = if is_asked { asked } else { found };
@@ -149,8 +154,12 @@ impl Step {
         let mut remarks = Vec::new();
         if !is_asked {
             let (what, wanted) = self.words();
+            let why = match found > whole {
+                true => "the body is whole cells, between whose points cracks run",
+                false => "the body is whole cells",
+            };
             remarks.push(format!(
-                "{what} {} in place of {}: the next one at which the body is whole cells",
+                "{what} {} in place of {}: the next one at which {why}",
                 short(value),
                 tidy(wanted)
             ));
@@ -183,6 +192,12 @@ impl Step {
     }
 }
 
+/// The first factor not below one at which the body is whole cells.
+fn next(case: &Case, factor: f64) -> Result<f64, Unfit> {
+    // Where none fits, the body itself has a fault, which its case tells.
+    Ok(case.fitting_factors(factor)?[0].filter(|found| found.is_finite()).unwrap_or(factor))
+}
+
 /// A number with the digits that a reader needs.
 fn short(value: f64) -> String {
     tidy((value * 1e6).round() / 1e6)
@@ -212,6 +227,27 @@ mod tests {
         }
         let remarks: Vec<usize> = levels.iter().map(|level| level.remarks.len()).collect();
         assert_eq!(remarks, [1, 0, 1]);
+    }
+
+    #[test]
+    fn cracks_keep_between_rows_of_points() {
+        // Ratios are multiples of 0.15; with an odd number of rows the crack in the middle would be on one of them.
+        let set = [
+            "body.rectangle={\"size\": [20, 20], \"spacing\": 1}",
+            "checks=[]",
+            "cracks=[{\"path\": [[-1, 10], [5, 10]]}]",
+        ];
+        let levels: Vec<Level> = of(&set, &[2.1, 2.2, 3.0]).into_iter().map(Result::unwrap).collect();
+        let cells: Vec<f64> = levels.iter().map(|level| 20.0 * level.factor.unwrap()).collect();
+        assert!(cells.iter().zip([14.0, 16.0, 20.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{cells:?}");
+        assert!(levels[1].remarks[0].ends_with("whole cells, between whose points cracks run"), "{levels:?}");
+        assert!(levels[0].remarks.is_empty());
+        // Three rows, with a spacing of 5 mm by default; four are too far off.
+        let far = of(&[set[0], set[1], set[2], "body.rectangle.spacing=5"], &[2.25, 6.0]);
+        assert_eq!(
+            far[0].as_ref().unwrap_err().message,
+            "the horizon ratio 2.25 puts a crack on a row of points"
+        );
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::{Extremes, Forces, Located, StateSummary};
 use crate::run::beam::{
-    BeamResult, JointReaction, MemberForces, OneWayState, Reaction, checks, member_forces, probes,
+    Along, BeamResult, JointReaction, MemberForces, OneWayState, Reaction, checks, probes,
 };
 use crate::run::{CheckResult, ProbeResult};
 use crate::scene::beam::BeamScene;
@@ -71,8 +71,9 @@ pub(super) fn state(
     let name = |line: usize| scene.frame.as_ref().map(|f| f.members[line].name.clone());
     let located =
         |(value, line, x): (f64, usize, f64)| Located { value, x, y: None, z: None, member: name(line) };
+    let along = Along::new(scene, result);
     let extremes = result.fields().iter().filter_map(|&field| {
-        let [smallest, largest] = result.located_extremes(field)?;
+        let [smallest, largest] = along.extremes(field)?;
         let unit = field.about().unit.label(scene.units).into();
         Some((field.name().into(), Extremes { smallest: located(smallest), largest: located(largest), unit }))
     });
@@ -81,7 +82,7 @@ pub(super) fn state(
         load_factor: result.record.load_factor,
         extremes: extremes.collect(),
         forces: Forces::Beam(BeamForces {
-            members: member_forces(scene, result),
+            members: scene.frame.as_ref().map_or_else(Vec::new, |frame| along.member_forces(frame)),
             reactions: result.reactions.clone(),
             joint_reactions: result.joint_reactions.clone(),
             one_way: result.one_way.clone(),

@@ -104,10 +104,16 @@ impl ValueFormatter<f64> for Scale {
     }
 }
 
-/// Round values strictly between two others, about `count` of them.
+/// Round values strictly between two others, as nearly `count` of them as there can be.
 pub(crate) fn levels([low, high]: [f64; 2], count: usize) -> Vec<f64> {
-    let scale = Scale::new([low, high].into_iter(), 0.0, count as f64);
-    scale.into_iter().flat_map(|scale| scale.ticks).filter(|tick| low < *tick && *tick < high).collect()
+    let inside = |factor: f64| {
+        let scale = Scale::new([low, high].into_iter(), 0.0, factor * count as f64);
+        let ticks = scale.into_iter().flat_map(|scale| scale.ticks);
+        ticks.filter(|tick| low < *tick && *tick < high).collect::<Vec<f64>>()
+    };
+    // Steps are rounded up: finer ones may have the better number.
+    let all = [1.0, 1.25, 1.6, 2.0, 2.5].map(inside);
+    all.into_iter().min_by_key(|ticks| ticks.len().abs_diff(count)).unwrap_or_default()
 }
 
 /// A number with four digits: `0.004`, `-12.35`, `1.234×10⁻⁶`.
@@ -171,6 +177,16 @@ mod tests {
     fn labels(values: &[f64]) -> (Vec<String>, Option<String>) {
         let scale = Scale::new(values.iter().copied(), 0.0, 5.0).unwrap();
         (scale.ticks.iter().map(|&tick| scale.label(tick)).collect(), scale.factor())
+    }
+
+    #[test]
+    fn isolines_are_about_as_many_as_asked_for() {
+        assert_eq!(levels([7.8, 172.8], 8), [20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 140.0, 160.0]);
+        for count in 1..30 {
+            let found = levels([7.8, 172.8], count).len();
+            // Steps are 1, 2 or 5 times a power of ten: at worst their numbers are 2.5 apart.
+            assert!(found.abs_diff(count) <= 1 + count / 2, "{found} of {count}");
+        }
     }
 
     #[test]

@@ -20,7 +20,9 @@ const css = (rgb) => `rgb(${rgb.join(' ')})`;
 
 // The level of a value of a field.
 function level({ range: [low, high] }, value) {
-  const part = high > low ? (value - low) / (high - low) : 0.5;
+  // What differs by rounding is even.
+  const differs = high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+  const part = differs ? (value - low) / (high - low) : 0.5;
   return clamp(Math.floor(part * LEVELS), 0, LEVELS - 1);
 }
 

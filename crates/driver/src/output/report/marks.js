@@ -5,7 +5,10 @@ const [HEAD, SHORTEST, LABEL] = [5, 2, [42, 16]];
 
 // Where `values`, linear on the triangles between the `places` of cells, have round values: each with the pieces of its line.
 function isolines(squares, values, places, [low, high], count) {
-  const inside = linear(low, high, count).ticks.filter((tick) => low < tick && tick < high);
+  // As nearly `count` as there can be: steps are rounded up, and finer ones may have the better number.
+  const levels = [1, 1.25, 1.6, 2, 2.5].map((f) => linear(low, high, f * count).ticks.filter((tick) => low < tick && tick < high));
+  const off = (ticks) => Math.abs(ticks.length - count);
+  const inside = levels.reduce((best, ticks) => (off(ticks) < off(best) ? ticks : best));
   const all = inside.map((value) => ({ value, pieces: [] }));
   function cross(corners) {
     const three = corners.map((k) => values[k]);

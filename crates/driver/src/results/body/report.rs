@@ -10,6 +10,7 @@ use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
+use crate::summary::words::kind;
 use peristat_assembly::body::PointBody;
 
 /// The field of the lengths of displacements.
@@ -95,12 +96,27 @@ pub(super) fn fields<const AXES: usize>(
     let size = field(DISPLACEMENT, scene.units.length(), &size);
     let factor = magnification(size_of(scene), size.range[1]);
     let mut fields: Vec<Field> = ordered(scene, result).into_iter().filter_map(named).collect();
+    clear_rounding(&mut fields);
     // What a reader sees first stays first.
     fields.insert(usize::from(!fields.is_empty()), size);
     let numbers = axes.map(|f| fields.iter().position(|own| own.name == f.name()));
     let moves = numbers.iter().all(Option::is_some);
     let moves = moves.then(|| Moves { fields: numbers.map(Option::unwrap_or_default), factor });
     (fields, moves)
+}
+
+/// Clears fields that are rounding beside others of their kind.
+fn clear_rounding(fields: &mut [Field]) {
+    let size = |field: &Field| field.range[0].abs().max(field.range[1].abs());
+    let sizes: Vec<(String, f64)> = fields.iter().map(|f| (kind(&f.name).to_string(), size(f))).collect();
+    for field in fields {
+        let alike = sizes.iter().filter(|(of, _)| of == kind(&field.name));
+        let largest = alike.map(|(_, size)| *size).fold(0.0, f64::max);
+        if size(field) < 1e-11 * largest {
+            field.values.fill(0.0);
+            field.range = [0.0; 2];
+        }
+    }
 }
 
 /// The fields of a state, first what tells most: damage where bonds break, the deflection of a shell, else von Mises stress.

@@ -1,112 +1,194 @@
 //! Fields between two points of a line, as the exact element that joins them has them.
 
-use super::BeamResult;
+use super::peak::Part;
+use super::{BeamResult, LineFields};
 use crate::case::FieldName;
-use crate::scene::beam::{BeamScene, BetweenPoints};
+use crate::scene::beam::BeamScene;
+use peristat_assembly::model::timoshenko_beam::{Element, Inside};
+use std::cell::OnceCell;
 
-/// Value of a field between two points; none where it was not recovered or does not exist. Displacements are those of the
-/// element with the section in its middle, without what a load on it adds. Section forces are statics from the point before;
-/// where loads act on points alone, the moment has the slope −V at both ends.
-pub(super) fn value(
-    scene: &BeamScene,
-    result: &BeamResult,
-    field: FieldName,
-    at: &BetweenPoints,
-) -> Option<f64> {
-    let fields = &result.lines[at.line];
-    let x = [0, 1].map(|side| fields.x.at(at.before + side));
-    let length = x[1] - x[0];
-    let q = (at.x - x[0]) / length;
-    let ends = |field: FieldName| {
-        let [left, right] = [0, 1].map(|side| result.value(field, at.line, at.before + side));
-        Some([left?, right?])
-    };
-    // Seen from inside the cell, where a field may jump at its ends.
-    let inside = |field: FieldName| Some(result.cells(field, at.line)?[at.before]);
-    let linear = |[a, b]: [f64; 2]| a + q * (b - a);
-    let bent = || {
-        let line = scene.beam.chains()[at.line].line();
-        let compliance = line.stiffness.compliance(0.5 * (x[0] + x[1]) - line.from);
-        let softness = compliance.shear / (compliance.bending * length * length);
-        Some(element(ends(FieldName::W)?, ends(FieldName::Phi)?, length, softness, q))
-    };
-    let loads = &scene.states[result.record.index].loads;
-    let [force, lever, axial] = loads.carried_between(at.line, [x[0], at.x]);
-    let section = |field: FieldName, carried: f64| {
-        let ends = inside(field)?;
-        Some(if loads.lumped { linear(ends) } else { ends[0] - carried })
-    };
-    let moment = || {
-        let [m, v] = [inside(FieldName::M)?, inside(FieldName::V)?];
-        Some(match loads.lumped {
-            true => hermite(m, v.map(|v| -v * length), q),
-            false => m[0] - v[0] * (at.x - x[0]) + lever,
-        })
-    };
-    let stress = |sign: f64| {
-        let n = result.fields().contains(&FieldName::N).then(|| section(FieldName::N, axial)).flatten();
-        fields.stress(sign, [moment()?, n.unwrap_or(0.0)], at.x, x[1])
-    };
-    let along = || ends(FieldName::U).map_or(0.0, linear);
-    let [c, s] = fields.direction;
-    match field {
-        FieldName::W => Some(bent()?[0]),
-        FieldName::Phi => Some(bent()?[1]),
-        FieldName::Ux => Some(c * along() - s * bent()?[0]),
-        FieldName::Uy => Some(s * along() + c * bent()?[0]),
-        FieldName::U | FieldName::EnergyDensity => ends(field).map(linear),
-        FieldName::M => moment(),
-        FieldName::V => section(field, force),
-        FieldName::N => section(field, axial),
-        FieldName::StressTop => stress(-1.0),
-        FieldName::StressBottom => stress(1.0),
-        _ => None,
-    }
+/// The cells of a line.
+pub(crate) struct Between<'a> {
+    result: &'a BeamResult,
+    line: usize,
+    fields: &'a LineFields,
+    inside: Inside<'a>,
+    has_axial: bool,
+    /// Bonds that break leave no elements.
+    has_elements: bool,
+    /// Whether loads or foundations are spread over it.
+    has_distributed: bool,
 }
 
-/// Deflection and rotation at a share of the length of an element that nothing loads between its ends; `softness` is
-/// EI/(S length²) with the shear stiffness S.
-fn element(w: [f64; 2], phi: [f64; 2], length: f64, softness: f64, q: f64) -> [f64; 2] {
-    let gap = (w[1] - w[0]) / length - 0.5 * (phi[0] + phi[1]);
-    // The rotation is a parabola, whose curvature is that of the shear force: S γ = −EI φ″.
-    let rise = 6.0 * gap / (1.0 + 12.0 * softness);
-    let turn = (1.0 - q) * phi[0] + q * phi[1] + rise * q * (1.0 - q);
-    let slopes = phi[0] * q * (1.0 - 0.5 * q) + phi[1] * 0.5 * q * q;
-    let sheared = rise * (q * q * (0.5 - q / 3.0) + 2.0 * softness * q);
-    [w[0] + length * (slopes + sheared), turn]
-}
-
-/// The cubic with values and slopes at both ends, over a unit of length.
-fn hermite(values: [f64; 2], slopes: [f64; 2], q: f64) -> f64 {
-    let (rest, step) = (1.0 - q, values[1] - values[0]);
-    values[0] + q * step + q * rest * (rest * (slopes[0] - step) - q * (slopes[1] - step))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn elements_are_exact_for_one_shear_force() {
-        // φ = 1 + 2 x − 3 x² over a length of 2 with EI = 1: S γ = 6, w = x + x² − x³ + γ x, here with S = 4.
-        let (gamma, length) = (1.5, 2.0);
-        let phi = |x: f64| 1.0 + 2.0 * x - 3.0 * x * x;
-        let w = |x: f64| x + x * x - x * x * x + gamma * x;
-        let ends = |f: &dyn Fn(f64) -> f64| [f(0.0), f(length)];
-        for q in [0.0, 0.3, 0.5, 1.0] {
-            let [found_w, found_phi] =
-                element(ends(&w), ends(&phi), length, 1.0 / (4.0 * length * length), q);
-            assert!((found_w - w(q * length)).abs() < 1e-14, "{q}");
-            assert!((found_phi - phi(q * length)).abs() < 1e-14, "{q}");
+impl<'a> Between<'a> {
+    pub(super) fn new(scene: &'a BeamScene, result: &'a BeamResult, line: usize) -> Self {
+        // Equilibria of a beam that breaks are of one state.
+        let state = result.record.index.min(scene.states.len() - 1);
+        let loads = &scene.states[state].loads;
+        Self {
+            result,
+            line,
+            fields: &result.lines[line],
+            inside: Inside::new(loads, line, &scene.beam.chains()[line]),
+            has_axial: scene.has_axial,
+            has_elements: scene.fracture.is_none(),
+            has_distributed: !scene.bedding.is_empty() || loads.distributed.iter().any(|l| l.chain == line),
         }
     }
 
-    #[test]
-    fn cubics_are_met() {
-        let f = |x: f64| 2.0 - x + 3.0 * x * x - 4.0 * x * x * x;
-        let slope = |x: f64| -1.0 + 6.0 * x - 12.0 * x * x;
-        for q in [0.0, 0.2, 0.7, 1.0] {
-            assert!((hermite([f(0.0), f(1.0)], [slope(0.0), slope(1.0)], q) - f(q)).abs() < 1e-14);
+    /// The cell behind a point.
+    pub(super) fn cell(&self, number: usize) -> Cell<'_> {
+        let span = [number, number + 1].map(|point| self.fields.x.at(point));
+        Cell { on: self, number, span, element: OnceCell::new() }
+    }
+
+    /// The position of a point.
+    pub(super) fn position(&self, point: usize) -> f64 {
+        self.fields.x.at(point)
+    }
+
+    /// As [`BeamResult::at_points`].
+    pub(super) fn at_points(&self, field: FieldName) -> Option<[(f64, usize); 2]> {
+        self.result.at_points(field, self.line)
+    }
+
+    /// Values of a field at the ends of all cells, seen from inside.
+    pub(super) fn all_ends(&self, field: FieldName) -> Option<Vec<[f64; 2]>> {
+        match self.result.cells(field, self.line) {
+            Some(cells) => Some(cells.into_owned()),
+            None => {
+                let values = self.result.values(field, self.line)?;
+                Some(values.windows(2).map(|ends| [ends[0], ends[1]]).collect())
+            }
         }
+    }
+
+    /// Number of cells.
+    pub(super) fn cells(&self) -> usize {
+        self.fields.x.len() - 1
+    }
+}
+
+/// A cell of a line.
+pub(super) struct Cell<'a> {
+    on: &'a Between<'a>,
+    number: usize,
+    span: [f64; 2],
+    element: OnceCell<Option<Element<'a>>>,
+}
+
+impl Cell<'_> {
+    /// Whether a field is known between points, not at points alone.
+    fn knows(&self, field: FieldName) -> bool {
+        use FieldName::{M, N, Phi, StressBottom, StressTop, U, Ux, Uy, V, W};
+        self.on.has_elements
+            && match field {
+                U | N => self.on.has_axial,
+                W | Phi | Ux | Uy | M | V | StressTop | StressBottom => true,
+                _ => false,
+            }
+    }
+
+    /// The parts of the cell in which a field is smooth, from end to end. None where it was not recovered or does not exist.
+    pub(super) fn parts(&self, field: FieldName) -> Option<Vec<Part>> {
+        let [a, b] = self.span;
+        let [left, right] = self.ends(field)?;
+        let places: Vec<f64> = match self.knows(field) {
+            true => [a].into_iter().chain(self.on.inside.breaks([a, b])).chain([b]).collect(),
+            false => vec![a, b],
+        };
+        let part = |ends: &[f64]| {
+            let [from, to] = [ends[0], ends[1]];
+            let start = if from == a { left } else { self.value(field, from, true)? };
+            let end = if to == b { right } else { self.value(field, to, false)? };
+            Some(Part { ends: [from, to], values: [start, end] })
+        };
+        places.windows(2).map(part).collect()
+    }
+
+    /// Whether a field has no extremes inside but those at the ends of its parts: one that is straight there.
+    pub(super) fn is_straight(&self, field: FieldName) -> bool {
+        use FieldName::{M, N, V};
+        !self.knows(field) || matches!(field, M | N | V) && !self.on.has_distributed
+    }
+
+    /// Values at the ends, seen from inside.
+    fn ends(&self, field: FieldName) -> Option<[f64; 2]> {
+        let [a, b] = self.span;
+        let forces = || Some(&self.on.fields.recovered.as_ref()?.forces);
+        let stress = |sign| Some([self.stress(sign, a, true)?, self.stress(sign, b, false)?]);
+        match field {
+            FieldName::M => Some(forces()?.moment[self.number]),
+            FieldName::V => Some(forces()?.shear[self.number]),
+            FieldName::N => Some(forces()?.axial.get(self.number).copied().unwrap_or([0.0; 2])),
+            FieldName::StressTop => stress(-1.0),
+            FieldName::StressBottom => stress(1.0),
+            _ => Some([self.at_point(field, 0)?, self.at_point(field, 1)?]),
+        }
+    }
+
+    fn at_point(&self, field: FieldName, side: usize) -> Option<f64> {
+        self.on.result.value(field, self.on.line, self.number + side)
+    }
+
+    /// Value of a field inside; before what acts at `x`, unless `after` it. One that is known at points alone is straight between
+    /// them. None where the field was not recovered or does not exist.
+    pub(super) fn value(&self, field: FieldName, x: f64, after: bool) -> Option<f64> {
+        let [c, s] = self.on.fields.direction;
+        let displaced = || Some(self.element()?.at(x));
+        match field {
+            _ if !self.knows(field) => self.straight(field, x),
+            FieldName::W => Some(displaced()?[0]),
+            FieldName::Phi => Some(displaced()?[1]),
+            FieldName::U => Some(displaced()?[2]),
+            FieldName::Ux => displaced().map(|[w, _, u]| c * u - s * w),
+            FieldName::Uy => displaced().map(|[w, _, u]| s * u + c * w),
+            FieldName::M => Some(self.section(x, after)?[0]),
+            FieldName::V => Some(self.section(x, after)?[1]),
+            FieldName::N => Some(self.section(x, after)?[2]),
+            FieldName::StressTop => self.stress(-1.0, x, after),
+            FieldName::StressBottom => self.stress(1.0, x, after),
+            _ => None,
+        }
+    }
+
+    fn straight(&self, field: FieldName, x: f64) -> Option<f64> {
+        let ([a, b], [left, right]) = (self.span, self.ends(field)?);
+        Some(left + (x - a) / (b - a) * (right - left))
+    }
+
+    /// The exact element.
+    fn element(&self) -> Option<&Element<'_>> {
+        let point = |side: usize| {
+            let u = if self.on.has_axial { self.at_point(FieldName::U, side)? } else { 0.0 };
+            Some([self.at_point(FieldName::W, side)?, self.at_point(FieldName::Phi, side)?, u])
+        };
+        let element = || Some(self.on.inside.element(self.span, [point(0)?, point(1)?], self.on.has_axial));
+        self.element.get_or_init(element).as_ref()
+    }
+
+    /// `(M, V, N)`: statics from the start of the cell. What acts on points but stands for what is spread (lumped loads,
+    /// foundations) is spread evenly over the cell, so that the forces at its end are met.
+    fn section(&self, x: f64, after: bool) -> Option<[f64; 3]> {
+        let forces = &self.on.fields.recovered.as_ref()?.forces;
+        let (m, v) = (forces.moment[self.number], forces.shear[self.number]);
+        let n = forces.axial.get(self.number).copied().unwrap_or([0.0; 2]);
+        let [a, b] = self.span;
+        let statics = |x: f64, after: bool| {
+            let [force, lever, axial] = self.on.inside.carried([a, x], after);
+            [m[0] - v[0] * (x - a) + lever, v[0] - force, n[0] - axial]
+        };
+        let (found, end) = (statics(x, after), statics(b, false));
+        let (q, length) = ((x - a) / (b - a), b - a);
+        let [dm, dv, dn] = [m[1] - end[0], v[1] - end[1], n[1] - end[2]];
+        // The moment of a force per length −dv/length.
+        let bow = 0.5 * dv * length;
+        Some([found[0] - bow * q * q + (dm + bow) * q, found[1] + dv * q, found[2] + dn * q])
+    }
+
+    fn stress(&self, sign: f64, x: f64, after: bool) -> Option<f64> {
+        let [m, _, n] = self.section(x, after)?;
+        let [a, b] = self.span;
+        self.on.fields.stress(sign, [m, n], x, if after { b } else { a })
     }
 }

@@ -1,9 +1,10 @@
 //! Smallest and largest values of the fields of a beam, over a state and over its lines.
 
 use super::BeamResult;
+use super::between::Between;
 use crate::case::FieldName;
 use crate::run::{Range, scan};
-use crate::scene::beam::{BeamScene, MemberLayout};
+use crate::scene::beam::{BeamScene, FrameLayout, MemberLayout};
 use serde::{Deserialize, Serialize};
 
 /// Smallest and largest section forces of a member.
@@ -22,42 +23,100 @@ pub struct MemberForces {
     pub moment: [f64; 2],
 }
 
-/// Section forces per member of a frame, where they were recovered.
-pub(crate) fn member_forces(scene: &BeamScene, result: &BeamResult) -> Vec<MemberForces> {
-    let members = scene.frame.iter().flat_map(|f| f.members.iter().enumerate());
-    let of = |(line, member): (usize, &MemberLayout)| {
-        let range = |field| result.extremes_on(field, line).map(|e| e.map(|(value, _)| value));
-        let (axial, shear) = (range(FieldName::N)?, range(FieldName::V)?);
-        Some(MemberForces { name: member.name.clone(), axial, shear, moment: range(FieldName::M)? })
-    };
-    members.filter_map(of).collect()
-}
+/// The cells of all lines of a state.
+pub(crate) struct Along<'a>(Vec<Between<'a>>);
 
-impl BeamResult {
-    /// Smallest and largest value of a field and their positions; both sides of a point where the field may jump.
-    pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
-        self.located_extremes(field).map(|extremes| extremes.map(|(value, _, x)| (value, x)))
+impl<'a> Along<'a> {
+    pub(crate) fn new(scene: &'a BeamScene, result: &'a BeamResult) -> Self {
+        Self((0..result.lines.len()).map(|line| Between::new(scene, result, line)).collect())
     }
 
-    /// The same with the line between value and position.
-    pub fn located_extremes(&self, field: FieldName) -> Option<[(f64, usize, f64); 2]> {
+    /// Smallest and largest value of a field, at points and between them, with the lines and positions.
+    pub(crate) fn extremes(&self, field: FieldName) -> Option<[(f64, usize, f64); 2]> {
         let mut range = Range::default();
-        for line in 0..self.lines.len() {
-            range.take(self.extremes_on(field, line)?.map(|(value, x)| (value, (line, x))));
+        for (line, between) in self.0.iter().enumerate() {
+            range.take(between.extremes(field)?.map(|(value, x)| (value, (line, x))));
         }
         range.ends().map(|ends| ends.map(|(value, (line, x))| (value, line, x)))
     }
 
-    /// Smallest and largest value of a field on one line and their positions.
-    pub fn extremes_on(&self, field: FieldName, line: usize) -> Option<[(f64, f64); 2]> {
-        let x = &self.lines[line].x;
-        let located = |values: &[f64], ends: usize| {
-            Some(scan::extremes(values)?.map(|k| (values[k], x.at(k / ends + k % ends))))
+    /// Section forces per member of a frame, where they were recovered.
+    pub(crate) fn member_forces(&self, frame: &FrameLayout) -> Vec<MemberForces> {
+        let of = |(member, between): (&MemberLayout, &Between)| {
+            let range = |field| between.extremes(field).map(|e| e.map(|(value, _)| value));
+            let (axial, shear) = (range(FieldName::N)?, range(FieldName::V)?);
+            Some(MemberForces { name: member.name.clone(), axial, shear, moment: range(FieldName::M)? })
         };
-        // Both ends of every cell, where a field may jump.
-        match self.cells(field, line) {
-            Some(cells) => located(cells.as_flattened(), 2),
-            None => located(&self.values(field, line)?, 1),
+        frame.members.iter().zip(&self.0).filter_map(of).collect()
+    }
+}
+
+impl Between<'_> {
+    /// Smallest and largest value of a field and their positions, at points and between them.
+    fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
+        let found = self.at_points(field)?;
+        let mut range = Range::default();
+        range.take(found.map(|(value, point)| (value, self.position(point))));
+        for cell in self.high_cells(field, found)?.into_iter().map(|number| self.cell(number)) {
+            for part in cell.parts(field)? {
+                part.corners().into_iter().for_each(|found| range.take([found; 2]));
+                if !cell.is_straight(field) {
+                    let peaks = part.peaks(|x| cell.value(field, x, true))?;
+                    peaks.into_iter().for_each(|found| range.take([found; 2]));
+                }
+            }
         }
+        range.ends()
+    }
+
+    /// The cells that may rise above the largest value at a point, or fall below the smallest.
+    fn high_cells(&self, field: FieldName, [low, high]: [(f64, usize); 2]) -> Option<Vec<usize>> {
+        // Ends of so few cells tell nothing of what is between them.
+        const FEW: usize = 8;
+        // So many leave 1e-8 between points beside other cells than those at the extremes.
+        const MANY: usize = 4096;
+        let all = self.cells();
+        if all <= FEW {
+            return Some((0..all).collect());
+        }
+        if all > MANY {
+            let beside = |(_, point): (f64, usize)| point.saturating_sub(1)..(point + 1).min(all);
+            return Some(beside(low).chain(beside(high)).collect());
+        }
+        if high.0 - low.0 <= 1e-12 * high.0.abs().max(low.0.abs()) {
+            return Some(Vec::new());
+        }
+        let ends = self.all_ends(field)?;
+        let rise = |[a, b]: [f64; 2]| (b - a).abs();
+        let is_high = |number: &usize| {
+            // A cell rises above its ends by less than these differ, or those of the cells beside it.
+            let beside = &ends[number.saturating_sub(1)..(number + 2).min(all)];
+            let most = beside.iter().map(|ends| rise(*ends)).fold(0.0, f64::max);
+            let [a, b] = ends[*number];
+            a.max(b) + most >= high.0 || a.min(b) - most <= low.0
+        };
+        Some((0..all).filter(is_high).collect())
+    }
+}
+
+impl BeamResult {
+    /// Smallest and largest value of a field at the points and their positions; both sides of a point where the field may jump.
+    pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
+        let mut range = Range::default();
+        for line in 0..self.lines.len() {
+            let x = &self.lines[line].x;
+            range.take(self.at_points(field, line)?.map(|(value, point)| (value, x.at(point))));
+        }
+        range.ends()
+    }
+
+    /// Smallest and largest value of a field at the points of a line, with these; both sides of a point where it may jump.
+    pub(super) fn at_points(&self, field: FieldName, line: usize) -> Option<[(f64, usize); 2]> {
+        if let Some(cells) = self.cells(field, line) {
+            let values = cells.as_flattened();
+            return Some(scan::extremes(values)?.map(|k| (values[k], k / 2 + k % 2)));
+        }
+        let values = self.values(field, line)?;
+        Some(scan::extremes(&values)?.map(|k| (values[k], k)))
     }
 }

@@ -5,7 +5,7 @@
 
 use super::exact_state::ExactState;
 use super::twin::{self, Departure, Twin};
-use super::{BeamResult, probes, run_linear};
+use super::{Along, BeamResult, probes, run_linear};
 use crate::case::FieldName;
 use crate::diagnostic::Faults;
 use crate::diagnostic::tidy;
@@ -146,8 +146,9 @@ fn answers(scene: &BeamScene, stride: usize, options: &RunOptions) -> Result<Vec
 
 /// What estimates of errors need of a state of the exact beam.
 fn state(scene: &BeamScene, result: &BeamResult) -> ExactState {
+    let along = Along::new(scene, result);
     let largest = |field: &FieldName| {
-        let [smallest, largest] = result.extremes(*field)?;
+        let [smallest, largest] = along.extremes(*field)?;
         Some((*field, smallest.0.abs().max(largest.0.abs())))
     };
     // Those that were not recovered have none.

@@ -11,6 +11,7 @@ mod fracture;
 mod law;
 mod line_points;
 mod one_way;
+mod peak;
 mod problem;
 mod reaction;
 mod reduced;
@@ -20,8 +21,8 @@ mod twin;
 mod verdict;
 
 pub use exact_state::ExactState;
+pub(crate) use extremes::Along;
 pub use extremes::MemberForces;
-pub(crate) use extremes::member_forces;
 pub use fields::{BeamResult, LineFields};
 pub use line_points::LinePoints;
 pub use one_way::{OneWayCount, OneWayState};

@@ -1,32 +1,36 @@
 //! What is made of a field along lines.
 
 use super::BeamResult;
+use super::between::Between;
 use crate::case::{FieldName, Reduction};
 use crate::run::reducer::{Reduced, Reducer};
+use crate::scene::beam::BeamScene;
 use std::ops::Range;
 
-/// What is made of a field at all points of some lines, on both sides of those where it may jump; the place is a line and a
-/// position on it. Along a line, the field is linear between points. None where it was not recovered.
+/// What is made of a field along some lines, at their points and between them; the place is a line and a position on it. None
+/// where it was not recovered.
 pub(super) fn read(
+    scene: &BeamScene,
     result: &BeamResult,
-    field: FieldName,
-    of: Reduction,
+    (field, of): (FieldName, Reduction),
     lines: &Range<usize>,
 ) -> Option<Reduced<(usize, f64)>> {
     let mut reducer = Reducer::new(of);
     for line in lines.clone() {
-        let x = &result.lines[line].x;
-        let mut take = |cell: usize, ends: [f64; 2]| {
-            let half = 0.5 * (x.at(cell + 1) - x.at(cell));
-            for (side, value) in ends.into_iter().enumerate() {
-                reducer.take(value, (line, x.at(cell + side)), |_| half);
-            }
-        };
-        match result.cells(field, line) {
-            Some(cells) => cells.iter().enumerate().for_each(|(cell, ends)| take(cell, *ends)),
-            None => {
-                let values = result.values(field, line)?;
-                values.windows(2).enumerate().for_each(|(cell, ends)| take(cell, [ends[0], ends[1]]));
+        let between = Between::new(scene, result, line);
+        for cell in (0..between.cells()).map(|number| between.cell(number)) {
+            for part in cell.parts(field)? {
+                let ([a, b], [start, end]) = (part.ends, part.values);
+                reducer.take(start, (line, a), |_| (b - a) / 6.0);
+                reducer.take(end, (line, b), |_| (b - a) / 6.0);
+                let value = |x| cell.value(field, x, true);
+                if !of.is_extreme() {
+                    // Simpson's rule.
+                    let x = part.at(0.5);
+                    reducer.take(value(x)?, (line, x), |_| 2.0 * (b - a) / 3.0);
+                } else if !cell.is_straight(field) {
+                    part.peaks(value)?.into_iter().for_each(|(v, x)| reducer.take(v, (line, x), |_| 0.0));
+                }
             }
         }
     }

@@ -1,7 +1,8 @@
 //! Probes and checks on the result of a beam.
 
+use super::between::Between;
 use super::comparison::Compared;
-use super::{BeamResult, between, reduced};
+use super::{BeamResult, reduced};
 use crate::case::FRACTURE_FACTS;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
@@ -51,11 +52,12 @@ fn read(scene: &BeamScene, result: &BeamResult, probe: &BeamProbe) -> Option<Rea
             Some(Reading { value, x: Some(p.x), place: p.place.clone(), extent: None })
         }
         ProbeSite::Between(at) => {
-            let value = between::value(scene, result, probe.field, at)?;
+            let value =
+                Between::new(scene, result, at.line).cell(at.before).value(probe.field, at.x, true)?;
             Some(Reading { value, x: Some(at.x), place: at.place.clone(), extent: None })
         }
         ProbeSite::Lines { of, lines, place } => {
-            let found = reduced::read(result, probe.field, *of, lines)?;
+            let found = reduced::read(scene, result, (probe.field, *of), lines)?;
             let member = |(line, x): (usize, f64)| {
                 let frame = scene.frame.as_ref()?;
                 Some(format!("member `{}` at x = {}", frame.members[line].name, number(x)))

@@ -2,12 +2,14 @@
 
 use super::fields::{BodyResult, parted};
 use super::verdict;
+use crate::case::CrackDirection;
 use crate::run::body::BodyProblem;
 use crate::run::fracture::{BreakingBody, Facts, FreeLoad};
 use crate::run::{Problem, SolvedState, StateRecord, StateResult};
 use crate::scene::Resultant;
 use crate::scene::body::{BodyFracture, Quantity};
 use crate::scene::fracture::FractureScene;
+use crate::units::number;
 use peristat_assembly::model::plane::{BreakingModel, CriticalStretch};
 
 /// A body in the plane whose bonds break.
@@ -17,6 +19,19 @@ pub(super) struct BreakingPlane<'a, const D: usize> {
     pub(super) recover: bool,
     /// Whether points have come off; empty as long as none has.
     pub(super) off: Vec<bool>,
+}
+
+impl<const D: usize> BreakingPlane<'_, D> {
+    /// The middles of the broken bonds in the part of a direction.
+    fn broken_in(&self, part: &CrackDirection, broken: &[u64]) -> Vec<[f64; 2]> {
+        let model = &self.problem.model;
+        let middle = |&bond: &u64| {
+            let [a, b] = model.ends(bond).map(|p| model.place(p));
+            [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
+        };
+        let inside = |at: &[f64; 2]| (0..2).all(|k| part.from[k] < at[k] && at[k] < part.to[k]);
+        broken.iter().map(middle).filter(inside).collect()
+    }
 }
 
 impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
@@ -72,17 +87,25 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
             facts.push(("broken_fibre_bonds".into(), fibres as f64));
         }
         for part in &self.fracture.directions {
-            let middle = |&bond: &u64| {
-                let [a, b] = model.ends(bond).map(|p| model.place(p));
-                [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
-            };
-            let inside = |at: &[f64; 2]| (0..2).all(|k| part.from[k] < at[k] && at[k] < part.to[k]);
-            let middles: Vec<[f64; 2]> = broken.iter().map(middle).filter(inside).collect();
-            let known = [direction(&middles), Some(middles.len() as f64)];
+            let middles = self.broken_in(part, broken);
+            let known = [direction(&middles).map(|(angle, _)| angle), Some(middles.len() as f64)];
             facts
                 .extend(part.facts().into_iter().zip(known).filter_map(|(name, value)| Some((name, value?))));
         }
         facts
+    }
+
+    fn doubts(&self, broken: &[u64]) -> Vec<String> {
+        let horizon = self.problem.scene.horizon();
+        let doubt = |part: &CrackDirection| {
+            let (_, across) = direction(&self.broken_in(part, broken))?;
+            // Middles of the bonds that cross a line are within half a horizon of it.
+            (across > 0.5 * horizon).then(|| {
+                let (name, across) = (&part.name, number(across));
+                format!("the broken bonds of the direction `{name}` are on no one line: they spread {across} to its sides")
+            })
+        };
+        self.fracture.directions.iter().filter_map(doubt).collect()
     }
 
     fn result(
@@ -112,16 +135,21 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
     }
 }
 
-/// Direction in which points spread most, degrees from x, −45 to 135: not 0 nor 90 is at an end; fewer than two have none.
-fn direction(points: &[[f64; 2]]) -> Option<f64> {
+/// Direction in which points spread most, degrees from x, −45 to 135: not 0 nor 90 is at an end; and the root of their mean
+/// squared distance from the line through them. Fewer than two have none.
+fn direction(points: &[[f64; 2]]) -> Option<(f64, f64)> {
     if points.len() < 2 {
         return None;
     }
     let n = points.len() as f64;
     let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);
-    let moment = |a: usize, b: usize| points.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>();
-    let angle = 0.5 * (2.0 * moment(0, 1)).atan2(moment(0, 0) - moment(1, 1));
-    Some((angle.to_degrees() + 45.0).rem_euclid(180.0) - 45.0)
+    let moment =
+        |a: usize, b: usize| points.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>() / n;
+    let (xx, xy, yy) = (moment(0, 0), moment(0, 1), moment(1, 1));
+    let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
+    let (s, c) = angle.sin_cos();
+    let across = (s * s * xx - 2.0 * s * c * xy + c * c * yy).max(0.0).sqrt();
+    Some(((angle.to_degrees() + 45.0).rem_euclid(180.0) - 45.0, across))
 }
 
 #[cfg(test)]
@@ -133,10 +161,13 @@ mod tests {
         for degrees in [-44.0, 0.0, 30.0, 90.0, 134.0_f64] {
             let (s, c) = degrees.to_radians().sin_cos();
             let points: Vec<[f64; 2]> = (0..9).map(f64::from).map(|t| [1.0 + t * c, t * s - 3.0]).collect();
-            let found = direction(&points).unwrap();
-            assert!((found - degrees).abs() < 1e-9, "{found}");
+            let (found, across) = direction(&points).unwrap();
+            assert!((found - degrees).abs() < 1e-9 && across < 1e-7, "{found} {across}");
         }
-        assert!(direction(&[[0.0, 1e-16], [1.0, 0.0]]).unwrap().abs() < 1e-12);
+        assert!(direction(&[[0.0, 1e-16], [1.0, 0.0]]).unwrap().0.abs() < 1e-12);
+        // Two rows, one above and one below.
+        let (_, across) = direction(&[[0.0, 1.0], [9.0, 1.0], [0.0, -1.0], [9.0, -1.0]]).unwrap();
+        assert!((across - 1.0).abs() < 1e-15);
     }
 
     #[test]

@@ -40,6 +40,11 @@ pub(in super::super) trait BreakingBody<const D: usize> {
     /// What is reported of the broken bonds beside their number, by name.
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)>;
 
+    /// Doubts about these, in words.
+    fn doubts(&self, _broken: &[u64]) -> Vec<String> {
+        Vec::new()
+    }
+
     /// The result of an equilibrium at a load factor, with the bonds that have broken before.
     fn result(
         &mut self,

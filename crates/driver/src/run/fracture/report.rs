@@ -40,6 +40,9 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
                 .warning(path.clone(), "loads acted on parts that came off: they act no more")
                 .hint("the load factor is that of the loads that are left");
         }
+        for doubt in self.body.doubts(&self.broken) {
+            faults.warning(path.key("directions"), doubt).hint("let `from` and `to` hold one straight crack");
+        }
         faults
     }
 

@@ -23,7 +23,7 @@ use super::site::interpolate::Interpolation;
 use super::site::model_inputs::ModelInputs;
 use super::site::of_case::{self, horizon_key};
 use super::site::{counts, cracks, foreign, given_body, materials, specimen, tips};
-use crate::case::{Case, Fracture, PATH_FACTS, Path as CasePath};
+use crate::case::{Case, Fracture, PATH_FACTS, Path as CasePath, Tips};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::input::Folder;
 use crate::model::{USUAL_HORIZON_RATIO, with_body};
@@ -258,10 +258,20 @@ impl Readings {
         probes.extend(intensities.iter().enumerate().map(|(k, intensity)| BodyProbe {
             name: intensity.name.clone(),
             quantity: Quantity::StressIntensity(k, intensity.quantity),
-            place: format!("crack `{}`", site.cracks[intensity.crack].name),
+            place: format!("{}crack `{}`", tips_in_words(intensity.tips), site.cracks[intensity.crack].name),
             position: None,
         }));
         Self { probes, lines, intensities }
+    }
+}
+
+/// Which tips move, in words.
+fn tips_in_words(tips: Option<Tips>) -> &'static str {
+    match tips {
+        Some(Tips::Start) => "start of ",
+        Some(Tips::End) => "end of ",
+        Some(Tips::Both) => "both ends of ",
+        None => "",
     }
 }
 

@@ -12,7 +12,7 @@ mod state;
 pub use estimate::estimates;
 pub(crate) use estimate::times;
 pub use state::extremes;
-pub(crate) use state::{place, position};
+pub(crate) use state::{kind, place, position};
 
 pub use crate::model::Fact;
 pub use crate::units::number;

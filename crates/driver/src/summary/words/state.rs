@@ -25,7 +25,7 @@ pub fn extremes(state: &StateSummary) -> Listing {
 }
 
 /// Stresses are of one kind, and so are strains.
-fn kind(field: &str) -> &str {
+pub(crate) fn kind(field: &str) -> &str {
     field.split('_').next().unwrap_or(field)
 }
 

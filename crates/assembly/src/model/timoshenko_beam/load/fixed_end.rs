@@ -1,53 +1,11 @@
 //! Fixed-end forces: what the loads inside a bond put on its two points.
 
-use super::{BeamLoads, Distributed, EndForces, Intensity, PointAction, Span};
+use super::{BeamLoads, Carried, Distributed, EndForces, Intensity, PointAction, Span};
 use crate::model::timoshenko_beam::Chain;
 use crate::model::timoshenko_beam::chain::pieces;
 use crate::quadrature::GAUSS;
 use std::array::from_fn;
 use std::ops::Range;
-
-/// Loads that bonds carry.
-struct Carried<'a> {
-    distributed: Vec<&'a Distributed>,
-    point: Vec<&'a PointAction>,
-}
-
-impl<'a> Carried<'a> {
-    /// Those of a line.
-    fn of(loads: &'a BeamLoads, chain: usize) -> Self {
-        Self {
-            distributed: loads.distributed.iter().filter(|l| !loads.lumped && l.chain == chain).collect(),
-            point: loads.point.iter().filter(|p| p.spread && p.chain == chain).collect(),
-        }
-    }
-
-    /// As [`FixedEnd::resultant`].
-    fn resultant(&self, a: f64, b: f64, with_end: bool) -> [f64; 3] {
-        let mut sum = [0.0; 3];
-        for load in &self.distributed {
-            let part = load.resultant(a, b);
-            (0..3).for_each(|k| sum[k] += part[k]);
-        }
-        let slack = 1e-9 * (b - a);
-        for p in &self.point {
-            if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
-                sum[0] += p.force;
-                sum[1] += p.force * (b - p.x) - p.moment;
-                sum[2] += p.axial;
-            }
-        }
-        sum
-    }
-}
-
-impl BeamLoads {
-    /// `[∫ q, ∫ (b − x) q − ∫ c, ∫ p]` of what bonds of a line carry inside `[a, b]`, m, with the concentrated loads at `b`: N, N m
-    /// and N. What these take from V, add to M and take from N between two sections that have no point between them.
-    pub fn carried_between(&self, chain: usize, [a, b]: [f64; 2]) -> [f64; 3] {
-        Carried::of(self, chain).resultant(a, b, true)
-    }
-}
 
 /// Fixed-end forces of the loads on one line.
 pub(in super::super) struct FixedEnd<'a> {
@@ -67,12 +25,7 @@ impl<'a> FixedEnd<'a> {
     pub(in super::super) fn new(loads: &'a BeamLoads, number: usize, chain: &'a Chain) -> Self {
         let stiffness = &chain.line().stiffness;
         let carried = Carried::of(loads, number);
-        // Section forces jump under concentrated loads, and bend where distributed ones begin and end.
-        let ends = carried.distributed.iter().flat_map(|l| [l.from, l.to]);
-        let places = carried.point.iter().map(|p| p.x).chain(ends).map(|x| x - chain.line().from);
-        let mut breaks: Vec<f64> = stiffness.breaks().into_iter().chain(places).collect();
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
+        let breaks = carried.breaks(chain);
         let plain = stiffness.plain();
         let units = match plain.filter(|_| chain.is_uniform()) {
             Some(plain) => carried.distributed.iter().map(|load| units(load, chain, plain)).collect(),

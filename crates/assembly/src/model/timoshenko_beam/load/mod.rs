@@ -4,15 +4,19 @@
 //! the fixed-end forces of the exact Timoshenko element; the shares sum to the load because the weights of the bonds
 //! that cross a cell sum to one.
 
+mod carried;
 mod fixed_end;
+mod inside;
 mod nodal;
 mod span;
 
 pub(super) use fixed_end::FixedEnd;
+pub use inside::{Element, Inside};
 pub use nodal::ChainLoads;
 
 use super::{PHI, U, W};
 use crate::quadrature::GAUSS;
+use carried::Carried;
 use span::{EndForces, Span};
 use std::f64::consts::PI;
 

@@ -8,13 +8,10 @@ use crate::scene::words;
 use peristat_assembly::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Points that are reported one by one, at most.
-const MOST: usize = 5;
-
 /// A block is singular if its determinant is this small beside the square of its trace.
 const SINGULAR: f64 = 1e-10;
 
-/// Adds a fault for every point whose own stiffness is singular and that conditions do not hold.
+/// Adds a fault for the points whose own stiffness is singular and that conditions do not hold, one for each reason.
 pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, faults: &mut Faults) {
     let mut blocks = vec![[[0.0; D]; D]; model.points()];
     model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
@@ -26,26 +23,36 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
         let is_held = D > 2 && trace > 0.0;
         !is_held && a * d - b * b <= SINGULAR * trace * trace && !held.contains(&(*point as u32))
     };
-    let loose: Vec<usize> = scene.real_points().filter(is_loose).collect();
-    let path = if scene.case.cracks.is_empty() { body::path(&scene.case) } else { root("cracks") };
-    for &point in loose.iter().take(MOST) {
-        let place = words::place(scene.model.position(point), scene.body());
-        let (a, _, d) = in_plane(&blocks[point]);
-        let why = if a + d > 0.0 { "has bonds on one line only" } else { "has no bonds" };
-        faults.error(path.clone(), format!("the point at {place} {why}, so nothing holds it")).hint(
-            match scene.case.cracks.is_empty() {
-                true => "use a smaller spacing or a longer horizon where the body is thin",
-                false if a + d == 0.0 => "a crack through a point cuts all of its bonds: move the crack by half a spacing",
-                false => {
-                    "cracks cut what else would hold it: move them away from the point, or use a smaller spacing"
-                }
-            },
-        );
-    }
-    if let Some(more @ 1..) = loose.len().checked_sub(MOST) {
-        let s = if more == 1 { "" } else { "s" };
-        faults.error(path, format!("{more} more point{s} of this kind"));
-    }
+    let (on_lines, without): (Vec<usize>, Vec<usize>) =
+        scene.real_points().filter(is_loose).partition(|&point| trace(&blocks[point]) > 0.0);
+    let cut = !scene.case.cracks.is_empty();
+    let path = if cut { root("cracks") } else { body::path(&scene.case) };
+    let mut complain = |points: &[usize], why: &str, of_cracks: &str| {
+        let Some(&first) = points.first() else { return };
+        let place = words::place(scene.model.position(first), scene.body());
+        let message = match points.len() {
+            1 => format!("the point at {place} has {why}, so nothing holds it"),
+            n => format!("{n} points have {why}, so nothing holds them; the first is at {place}"),
+        };
+        let thin = "use a smaller spacing or a longer horizon where the body is thin";
+        faults.error(path.clone(), message).hint(if cut { of_cracks } else { thin });
+    };
+    complain(
+        &without,
+        "no bonds",
+        "a crack through a point cuts all of its bonds: move the crack by half a spacing",
+    );
+    complain(
+        &on_lines,
+        "bonds on one line only",
+        "cracks cut what else would hold it: move them away from the point, or use a smaller spacing",
+    );
+}
+
+/// Twice the mean stiffness of a point along two axes.
+fn trace<const D: usize>(block: &[[f64; D]; D]) -> f64 {
+    let (a, _, d) = in_plane(block);
+    a + d
 }
 
 /// The stiffness of a point along two axes; where it has one unknown, every bond resists all of its motion.
