@@ -8,6 +8,7 @@ mod stress;
 mod support;
 
 mod antiplane;
+mod arcs;
 mod axial;
 mod balance;
 mod beam_fracture;

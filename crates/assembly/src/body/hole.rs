@@ -150,7 +150,9 @@ impl Shape {
     pub fn distance(&self, position: [f64; 2]) -> f64 {
         match (self.polygon(), self.stadium()) {
             (_, Some((from, to, radius))) => (to_segment(position, from, to) - radius).abs(),
-            (Some(polygon), _) => polygon.distance(position, position),
+            (Some(polygon), _) => {
+                polygon.edges().map(|[a, b]| to_segment(position, a, b)).fold(f64::INFINITY, f64::min)
+            }
             _ => f64::INFINITY,
         }
     }

@@ -171,6 +171,14 @@ impl Outline {
     pub fn contains(&self, position: [f64; 2]) -> bool {
         self.polygon.contains(position) && !self.holes.iter().any(|h| h.shape.removes(position))
     }
+
+    /// Whether a position is in the body, or no farther than a distance from its border, m.
+    pub fn reaches(&self, position: [f64; 2], within: f64) -> bool {
+        let is_on = |hole: &Hole| hole.shape.distance(position) <= within && self.polygon.contains(position);
+        self.contains(position)
+            || self.edges.iter().any(|edge| edge.distance(position) <= within)
+            || self.holes.iter().any(is_on)
+    }
 }
 
 fn edges(polygon: &Polygon, names: impl IntoIterator<Item = (String, bool)>) -> Vec<Edge> {

@@ -27,7 +27,7 @@ pub struct RectangleBody {
 /// What lines and arcs bound, filled with square cells with a point in the middle of each: `vertices` of the case, or a `file` with a
 /// drawing or a mesh. Its edges are `edge_1` from the first vertex to the second, `edge_2`, …. Those of a file count counter-clockwise
 /// from the lowest of the leftmost vertices, and have the names that they have there: physical groups of Gmsh, layers of DXF, `id`s of
-/// SVG. An arc is one edge, of chords that are a hundredth of the spacing from it at most.
+/// SVG. An arc is one edge, of chords that are a ten-thousandth of the spacing from it at most.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OutlineBody {

@@ -6,7 +6,7 @@ use crate::case::{At, Case, Names};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    Group, Hole, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
+    Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,6 +38,9 @@ pub(crate) struct NamedPoints {
     /// What messages call it, such as `the region `left`` or `(1, 2)`.
     pub(crate) words: String,
 }
+
+/// A place is on a border that is no farther from it, in spacings: places are written with three or four digits, and arcs are chords.
+const ON_BORDER: f64 = 1e-3;
 
 /// How a place in the plane is written, for hints.
 pub(crate) const PLACE: &str =
@@ -308,8 +311,8 @@ impl<'a> Ground<'a> {
         self.select(&region).ok()?.first().copied()
     }
 
-    /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole
-    /// one where rows are turned or, with the limit `local`, on a hole but for rounding: there cells may have their centres outside.
+    /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole one where
+    /// rows are turned, and in the body or on its border but for rounding: cells that a border cuts may have their centres outside.
     pub(crate) fn point_at(
         &self,
         position: [f64; 3],
@@ -328,13 +331,10 @@ impl<'a> Ground<'a> {
         let nearest = self.nearest(position)?;
         let at = self.body.position(nearest as usize);
         let distance = (0..3).map(|k| (at[k] - position[k]).powi(2)).sum::<f64>().sqrt();
-        let place = [position[0], position[1]];
-        let is_on = |hole: &Hole| hole.shape.distance(place) <= 1e-6 * self.body.spacing();
-        let is_within = |outline: &Outline| outline.contains(place) || outline.holes().iter().any(is_on);
-        let is_told = self.case.is_corrected() && self.outline.is_some_and(is_within);
-        // Half a diagonal of a cell.
+        let on_border = ON_BORDER * self.body.spacing();
+        let is_there = || self.outline.is_some_and(|o| o.reaches([position[0], position[1]], on_border));
         let most = match self.body {
-            PointBody::Lattice(lattice) if lattice.is_turned() || is_told => std::f64::consts::SQRT_2,
+            PointBody::Lattice(lattice) if lattice.is_turned() || is_there() => std::f64::consts::SQRT_2,
             body => 0.5 * (body.axes() as f64).sqrt(),
         };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {
