@@ -251,6 +251,10 @@ fn numbers_that_make_no_sense_are_refused_at_once() {
         assert!(refusal(&case(from, 3.0)).contains("is lost in rounding"));
     }
     assert!(refusal(&case(0.0, 200.0)).contains("the largest horizon ratio of bodies in the plane is 100"));
+    let beyond = refusal(&case(0.0, 60.0));
+    assert!(beyond.contains("a horizon of 60 ends beyond the body, which is 5 × 5"), "{beyond}");
+    // Up to twelve spacings the few bonds of a small body are answered.
+    assert!(solved(&case(0.0, 12.0)).summary.states[0].certificate.converged);
     // What the horizon makes impossible is no warning on cracks.
     let mut short = case(0.0, 1.4);
     short["cracks"] = json!([{ "path": [[2, -1], [2, 3]] }]);

@@ -24,14 +24,8 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
     // Points of a solid are the middles of its cells.
     let is_solid = scene.body().axes() > 2;
     let cell = if is_solid { scene.body().spacing() } else { 0.0 };
-    // Joined sides are no ends of the body, and behind a mirror it goes on.
-    let mirrors = &scene.inputs.symmetry.mirrors;
-    let across = |k: usize| match (mirrors.joined[k], mirrors.lines[k]) {
-        (true, _) | (_, [Some(_), Some(_)]) => f64::INFINITY,
-        (_, [None, None]) => high[k] - low[k] + cell,
-        _ => 2.0 * (high[k] - low[k] + cell),
-    };
-    let width = (0..scene.body().axes()).map(across).fold(f64::INFINITY, f64::min);
+    let whole = scene.inputs.symmetry.whole([0, 1, 2].map(|k| high[k] - low[k] + cell));
+    let width = whole[..scene.body().axes()].iter().copied().fold(f64::INFINITY, f64::min);
     if scene.horizon() > width * (1.0 + 1e-9) {
         faults
             .warning(

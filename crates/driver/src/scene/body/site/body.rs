@@ -196,11 +196,12 @@ pub(super) fn resolves<const N: usize>(
     false
 }
 
-/// The box around the points of a body.
-fn bounds(body: &PointBody) -> [[f64; 2]; 2] {
-    let points = (0..body.points()).map(|p| body.place(p));
-    points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
-        [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
+/// The box around the points of a body, with the whole cells of a lattice.
+pub(super) fn bounds(body: &PointBody) -> [[f64; 3]; 2] {
+    let half = if body.cells().is_some() { 0.5 * body.spacing() } else { 0.0 };
+    let points = (0..body.points()).map(|p| body.position(p));
+    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
+        [[0, 1, 2].map(|k| low[k].min(p[k] - half)), [0, 1, 2].map(|k| high[k].max(p[k] + half))]
     })
 }
 

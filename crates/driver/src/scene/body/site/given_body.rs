@@ -3,7 +3,7 @@
 use super::body::BuiltSolid;
 use super::cracks::{self, NamedCrack};
 use super::model_inputs::ModelInputs;
-use super::symmetry::Sides;
+use super::symmetry::{Sides, Symmetry};
 use super::{body, held_angle, of_case, periodic, size, symmetry};
 use crate::case::Case;
 use crate::diagnostic::{Faults, tidy};
@@ -11,11 +11,14 @@ use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::model::{About, Keys, Material, Mixture, USUAL_HORIZON_RATIO};
 use crate::scene::{horizon, root};
-use peristat_assembly::body::{Group, Outline, PointBody, SquareLattice, Wall};
+use peristat_assembly::body::{Group, Outline, PointBody, SquareLattice, Wall, in_space};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
 const MOST_RATIO: f64 = 100.0;
+
+/// Up to this ratio horizons that end beyond the body are answered, with a doubt: families of so few points cost nothing.
+const MOST_BEYOND: f64 = 12.0;
 
 /// What a case says of its body, before it has points in a model.
 pub(crate) struct GivenBody {
@@ -83,6 +86,9 @@ pub(crate) fn read(
             ));
         return None;
     }
+    if ratio > MOST_BEYOND && !ends_within((&body, outline.as_ref()), ratio, &symmetry, case, faults) {
+        return None;
+    }
     material.set_horizon_ratio(ratio);
     complete(case, &mut *material, (lattice, outline.as_ref()), &symmetry.mirrors, faults);
     let cracks = cracks?;
@@ -108,6 +114,37 @@ pub(crate) fn read(
     let (bearings, materials) = (Vec::new(), Mixture::default());
     let inputs = ModelInputs { body, file, symmetry, bearings, material, materials, horizon, breaks };
     Some(GivenBody { inputs, outline, walls, parts, curves, cracks })
+}
+
+/// Whether a horizon ends within the body, the longest line of which is the diagonal of the box around it; a fault if not.
+fn ends_within(
+    (body, outline): (&PointBody, Option<&Outline>),
+    ratio: f64,
+    symmetry: &Symmetry,
+    case: &Case,
+    faults: &mut Faults,
+) -> bool {
+    let [low, high] = outline.map_or_else(|| body::bounds(body), |outline| outline.bounds().map(in_space));
+    let size = &symmetry.whole([0, 1, 2].map(|k| high[k] - low[k]))[..body.axes()];
+    let (horizon, longest) = (ratio * body.spacing(), size.iter().map(|s| s * s).sum::<f64>().sqrt());
+    if horizon <= longest * (1.0 + 1e-9) {
+        return true;
+    }
+    let size = size.iter().map(|s| tidy(*s)).collect::<Vec<_>>().join(" × ");
+    let most = longest.max(MOST_BEYOND * body.spacing());
+    let [horizon, most] = [horizon, most].map(tidy);
+    faults
+        .error(
+            root(of_case::horizon_key(case)),
+            format!(
+                "a horizon of {horizon} ends beyond the body, which is {size}: every point sees all others"
+            ),
+        )
+        .hint(format!(
+            "three spacings are usual, {} here; the longest that is solved is {most}",
+            tidy(3.0 * body.spacing())
+        ));
+    false
 }
 
 /// A doubt about the axial forces of a body of revolution whose border completes its families: weights that are linear in the radius

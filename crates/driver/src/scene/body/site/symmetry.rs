@@ -186,6 +186,16 @@ impl Symmetry {
         self.mirrors.set_line(0, lattice.columns().start);
     }
 
+    /// How far the whole body reaches along each axis, from how far its part does: behind a mirror it goes on, and between two, as
+    /// where sides are joined, it has no end.
+    pub(crate) fn whole(&self, part: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| match (self.mirrors.joined[k], self.mirrors.lines[k]) {
+            (true, _) | (_, [Some(_), Some(_)]) => f64::INFINITY,
+            (_, [None, None]) => part[k],
+            _ => 2.0 * part[k],
+        })
+    }
+
     /// Whether an edge lies on a mirror.
     pub(crate) fn replaces(&self, edge: &str) -> bool {
         self.edges.iter().any(|e| e == edge)
