@@ -100,7 +100,7 @@ fn add_uniform(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLoads
     let Some(uniform) = uniform_stress::find(tractions, context) else { return false };
     to.carry_ends = true;
     let stress = StressField::uniform(uniform.stress);
-    to.into_lines.extend(slanted::into_lines(&stress, tractions, context));
+    to.into_lines.extend(slanted::into_lines((&stress, &uniform.forces), tractions, context));
     to.stresses.push(stress);
     to.forces.extend(uniform.forces);
     true

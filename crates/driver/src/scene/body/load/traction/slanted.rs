@@ -15,8 +15,13 @@ use peristat_assembly::body::Outline;
 /// A normal with less along a line is straight across it.
 const STRAIGHT: f64 = 1e-9;
 
-/// What a stress with some tractions does at once to the lines of symmetry that borders meet at a slant, by images beyond them.
-pub(crate) fn into_lines(stress: &StressField, tractions: &[OnBorder], context: &LoadContext) -> Forces {
+/// What a stress with some tractions, and what acts beyond it, do at once to the lines of symmetry that borders meet at a slant, by
+/// images beyond them.
+pub(crate) fn into_lines(
+    (stress, beyond): (&StressField, &Forces),
+    tractions: &[OnBorder],
+    context: &LoadContext,
+) -> Forces {
     let (Some(model), Some(outline)) = (context.model, context.ground.outline) else { return Vec::new() };
     let Some((lattice, mirrors)) = model.lattice() else { return Vec::new() };
     let slanted: Vec<(usize, u32)> = (0..2)
@@ -44,6 +49,10 @@ pub(crate) fn into_lines(stress: &StressField, tractions: &[OnBorder], context: 
     let mut through = vec![0.0; model.components().len() * model.points()];
     stress.add_to(model, 1.0, &mut through);
     rest.add_multiple(-1.0, &resultants::resultant(model, context.material, &through));
+    for (point, force) in beyond {
+        let at = context.ground.body.position(*point as usize);
+        resultants::add_force(context.material, &mut rest, force.map(|f| -f), at);
+    }
     let alone = |axis: usize| [0, 1, 2].map(|k| if k == axis { rest.force()[k] } else { 0.0 });
     slanted.into_iter().map(|(axis, ghost)| (ghost, alone(axis))).collect()
 }
