@@ -4,4 +4,5 @@ pub(crate) mod bridges;
 pub(crate) mod clamped;
 pub(crate) mod held_corner;
 pub(crate) mod loose;
+mod stairs;
 pub(crate) mod warnings;
