@@ -3,8 +3,8 @@
 use super::peak::Part;
 use super::{BeamResult, LineFields};
 use crate::case::FieldName;
-use crate::scene::beam::BeamScene;
-use peristat_assembly::model::timoshenko_beam::{Element, Inside};
+use crate::scene::beam::{BeamScene, State};
+use peristat_assembly::model::timoshenko_beam::{Along, Chain, Element, Inside};
 use std::cell::OnceCell;
 
 /// The cells of a line.
@@ -18,21 +18,28 @@ pub(crate) struct Between<'a> {
     has_elements: bool,
     /// Whether loads or foundations are spread over it.
     has_distributed: bool,
+    /// Whether moments alone turn it, and shear forces alone change moments.
+    is_plain: bool,
+    chain: &'a Chain,
 }
 
 impl<'a> Between<'a> {
     pub(super) fn new(scene: &'a BeamScene, result: &'a BeamResult, line: usize) -> Self {
         // Equilibria of a beam that breaks are of one state.
         let state = result.record.index.min(scene.states.len() - 1);
-        let loads = &scene.states[state].loads;
+        let State { loads, eigenstrains, .. } = &scene.states[state];
+        let chain = &scene.beam.chains()[line];
+        let mut distributed = loads.distributed.iter().filter(|l| l.chain == line);
         Self {
             result,
             line,
             fields: &result.lines[line],
-            inside: Inside::new(loads, line, &scene.beam.chains()[line]),
+            inside: Inside::new(loads, line, chain),
             has_axial: scene.has_axial,
             has_elements: scene.fracture.is_none(),
-            has_distributed: !scene.bedding.is_empty() || loads.distributed.iter().any(|l| l.chain == line),
+            has_distributed: !scene.bedding.is_empty() || distributed.clone().next().is_some(),
+            is_plain: eigenstrains.is_empty() && distributed.all(|l| l.along != Along::Rotation),
+            chain,
         }
     }
 
@@ -110,6 +117,28 @@ impl Cell<'_> {
     pub(super) fn is_straight(&self, field: FieldName) -> bool {
         use FieldName::{M, N, V};
         !self.knows(field) || matches!(field, M | N | V) && !self.on.has_distributed
+    }
+
+    /// Whether the slope of a field is known to keep its sign over the cell.
+    pub(super) fn is_monotonous(&self, field: FieldName) -> bool {
+        let slopes = self.slopes(field).filter(|_| self.on.is_plain);
+        slopes.is_some_and(|[a, b]| a * b >= 0.0) && self.on.inside.breaks(self.span).next().is_none()
+    }
+
+    /// What the slopes of a field at both ends are multiples of, where moments alone turn the line and shear forces alone change
+    /// moments.
+    fn slopes(&self, field: FieldName) -> Option<[f64; 2]> {
+        match field {
+            FieldName::M => self.ends(FieldName::V),
+            FieldName::Phi => self.ends(FieldName::M),
+            FieldName::W => {
+                let (phi, v) = (self.ends(FieldName::Phi)?, self.ends(FieldName::V)?);
+                let line = self.on.chain.line();
+                let shear = |k: usize| line.stiffness.compliance(self.span[k] - line.from).shear;
+                Some([0, 1].map(|k| phi[k] + shear(k) * v[k]))
+            }
+            _ => None,
+        }
     }
 
     /// Values at the ends, seen from inside.

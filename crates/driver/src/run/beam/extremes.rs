@@ -95,7 +95,7 @@ impl Between<'_> {
             let [a, b] = ends[*number];
             a.max(b) + most >= high.0 || a.min(b) - most <= low.0
         };
-        Some((0..all).filter(is_high).collect())
+        Some((0..all).filter(is_high).filter(|&cell| !self.cell(cell).is_monotonous(field)).collect())
     }
 }
 
