@@ -91,6 +91,7 @@ mod sections;
 mod served;
 mod shell;
 mod short_beams;
+mod singular_estimates;
 mod skipping;
 mod slots;
 mod softening_edges;

@@ -1,11 +1,14 @@
 //! Outlines of bodies: a polygon with holes and named edges.
 
 use super::geometry::to_segment;
-use super::hole::{Hole, HoleError};
+use super::hole::{Hole, HoleError, Shape};
 use super::named::BorderGroup;
 use super::polygon::{Polygon, PolygonError};
 use super::turn::Turn;
 use thiserror::Error;
+
+/// Sine of the angle by which the chords of a curve turn at most.
+const SMOOTH: f64 = 0.2;
 
 /// A straight edge of an outline.
 #[derive(Clone, Debug, PartialEq)]
@@ -172,12 +175,20 @@ impl Outline {
         self.polygon.contains(position) && !self.holes.iter().any(|h| h.shape.removes(position))
     }
 
-    /// Whether a position is in the body, or no farther than a distance from its border, m.
-    pub fn reaches(&self, position: [f64; 2], within: f64) -> bool {
+    /// Whether its border has a corner that turns into the body, by more than chords of a curve do.
+    pub fn turns_inward(&self) -> bool {
+        let of_holes = self.holes.iter().filter_map(|hole| match &hole.shape {
+            Shape::Polygon(polygon) => Some(polygon),
+            _ => None,
+        });
+        self.polygon.turns().any(|sine| sine < -SMOOTH)
+            || of_holes.into_iter().any(|hole| hole.turns().any(|sine| sine > SMOOTH))
+    }
+
+    /// Whether a position is no farther from its border than a distance, m.
+    pub fn borders(&self, position: [f64; 2], within: f64) -> bool {
         let is_on = |hole: &Hole| hole.shape.distance(position) <= within && self.polygon.contains(position);
-        self.contains(position)
-            || self.edges.iter().any(|edge| edge.distance(position) <= within)
-            || self.holes.iter().any(is_on)
+        self.edges.iter().any(|edge| edge.distance(position) <= within) || self.holes.iter().any(is_on)
     }
 }
 
@@ -189,4 +200,30 @@ fn edges(polygon: &Polygon, names: impl IntoIterator<Item = (String, bool)>) -> 
             Edge { name, from, to, normal: polygon.normal(k), is_chord }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_turn_into_the_body_and_curves_do_not() {
+        let around = |radius: f64, from: f64, to: f64| {
+            let at = move |k: u32| (from + (to - from) * f64::from(k) / 64.0).sin_cos();
+            (0..=64).map(at).map(move |(sin, cos)| [radius * cos, radius * sin])
+        };
+        let turns = |vertices: Vec<[f64; 2]>| Outline::polygon(vertices).unwrap().turns_inward();
+        let corner = vec![[-1.0, 0.0], [0.0, 0.0], [0.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let backwards = corner.iter().rev().copied().collect();
+        assert!(turns(corner) && turns(backwards));
+        let half = std::f64::consts::PI;
+        assert!(!turns(around(2.0, 0.0, half).chain(around(1.0, half, 0.0)).collect()));
+        let mut plate = Outline::rectangle([0.0; 2], [4.0, 4.0]).unwrap();
+        assert!(!plate.turns_inward());
+        plate.cut(Hole { name: None, shape: Shape::Circle { centre: [2.0; 2], radius: 0.5 } }).unwrap();
+        assert!(!plate.turns_inward());
+        let square = Polygon::new(vec![[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]]).unwrap();
+        plate.cut(Hole { name: None, shape: Shape::Polygon(square) }).unwrap();
+        assert!(plate.turns_inward());
+    }
 }

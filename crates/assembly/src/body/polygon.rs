@@ -118,6 +118,20 @@ impl Polygon {
         0.5 * twice.abs()
     }
 
+    /// Sines of the angles by which the border turns at its vertices, positive where the polygon is convex.
+    pub(super) fn turns(&self) -> impl Iterator<Item = f64> + '_ {
+        let n = self.vertices.len();
+        let sign = if self.counter_clockwise { 1.0 } else { -1.0 };
+        (0..n).map(move |k| {
+            let along = |k: usize| {
+                let [from, to] = self.edge(k % n);
+                minus(to, from).map(|d| d / distance(from, to))
+            };
+            let (before, behind) = (along(k), along(k + 1));
+            sign * (before[0] * behind[1] - before[1] * behind[0])
+        })
+    }
+
     /// Whether a position is in the polygon or on its border: exact for the coordinates as given.
     pub fn contains(&self, position: [f64; 2]) -> bool {
         let mut winding = 0;

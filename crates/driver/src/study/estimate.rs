@@ -5,9 +5,11 @@ use super::record::{of_exact, quantities};
 use crate::case::{self, Body};
 use crate::model::Growth;
 use crate::run::{RunOptions, taking};
+use crate::scene::Scene;
 use crate::summary::words::times;
 use crate::summary::{Estimates, Grids, Status, Summary};
 use crate::{Error, Loaded};
+use peristat_assembly::body::Outline;
 use peristat_assembly::model::timoshenko_beam::Grid;
 use std::time::Instant;
 
@@ -130,10 +132,15 @@ impl Loaded {
         Ok(Estimates {
             kind,
             against,
-            quantities: of_quantities(&quantities(summary), &others, exact.as_ref()),
+            quantities: of_quantities(&quantities(summary), &others, exact.as_ref(), self.turns_inward()),
             spacings: others.iter().map(|other| other.multiple).collect(),
             remark: remark.map(|reason| format!("no order can be observed: {reason}")),
         })
+    }
+
+    /// Whether the body has a corner that turns into it.
+    fn turns_inward(&self) -> bool {
+        matches!(&self.scene, Scene::Body(body) if body.outline().is_some_and(Outline::turns_inward))
     }
 
     fn is_on_lines(&self) -> bool {

@@ -30,14 +30,15 @@ impl Other {
 }
 
 /// The estimates of all quantities that the other grids have, too; none is below the distance from an exact beam that errs
-/// with its foundation only.
+/// with its foundation only. Whether the body has corners that turn into it is what orders are believed by.
 pub(super) fn of_quantities(
     all: &[Quantity],
     others: &[Other],
     exact: Option<&HashMap<String, f64>>,
+    turns_inward: bool,
 ) -> Vec<Estimate> {
     let found: Vec<(&Quantity, GridError)> =
-        all.iter().filter_map(|own| Some((own, of_quantity(own, others)?))).collect();
+        all.iter().filter_map(|own| Some((own, of_quantity(own, others, turns_inward)?))).collect();
     let floors = Floors::new(&found);
     let raised = found.iter().map(|(own, found)| {
         let (least, basis) = floors.of(own, found, others.len());
@@ -96,11 +97,11 @@ pub(super) fn from_exact(own: &Quantity, exact: f64) -> Estimate {
     estimate(own, &GridError { error, order: None, settled, reliable: true, by_chance: false, basis })
 }
 
-fn of_quantity(own: &Quantity, others: &[Other]) -> Option<GridError> {
+fn of_quantity(own: &Quantity, others: &[Other], turns_inward: bool) -> Option<GridError> {
     let find = |other: &Other| Some((other.multiple, *other.values.get(&own.name)?));
     let mut grids = others.iter().map(find).collect::<Option<Vec<(f64, f64)>>>()?;
     grids.push((1.0, own.value));
-    Some(grid_error::of(grids, own.rounding))
+    Some(grid_error::of(grids, own.rounding, turns_inward))
 }
 
 /// What a run says of the error of a quantity.
@@ -142,7 +143,7 @@ mod tests {
             multiple,
             values: [("power".to_string(), power), ("chance".to_string(), chance)].into(),
         };
-        of_quantities(&all, &[other(2.0, 1.4, 10.000001), other(4.0, 2.6, 10.01)], None)
+        of_quantities(&all, &[other(2.0, 1.4, 10.000001), other(4.0, 2.6, 10.01)], None, false)
     }
 
     #[test]

@@ -9,6 +9,7 @@ use peristat_assembly::body::{
     Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::SQRT_2;
 
 /// A body with everything on it that has a name.
 pub(crate) struct Ground<'a> {
@@ -312,7 +313,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole one where
-    /// rows are turned, and in the body or on its border but for rounding: cells that a border cuts may have their centres outside.
+    /// rows are turned, on a border but for rounding and, with the limit `local`, in the body: there cells may have their centres outside.
     pub(crate) fn point_at(
         &self,
         position: [f64; 3],
@@ -331,10 +332,10 @@ impl<'a> Ground<'a> {
         let nearest = self.nearest(position)?;
         let at = self.body.position(nearest as usize);
         let distance = (0..3).map(|k| (at[k] - position[k]).powi(2)).sum::<f64>().sqrt();
-        let on_border = ON_BORDER * self.body.spacing();
-        let is_there = || self.outline.is_some_and(|o| o.reaches([position[0], position[1]], on_border));
+        let (place, slack) = ([position[0], position[1]], ON_BORDER * self.body.spacing());
+        let is_told = |o: &Outline| o.borders(place, slack) || self.case.is_corrected() && o.contains(place);
         let most = match self.body {
-            PointBody::Lattice(lattice) if lattice.is_turned() || is_there() => std::f64::consts::SQRT_2,
+            PointBody::Lattice(lattice) if lattice.is_turned() || self.outline.is_some_and(is_told) => SQRT_2,
             body => 0.5 * (body.axes() as f64).sqrt(),
         };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {
