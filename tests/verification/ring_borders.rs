@@ -69,3 +69,28 @@ fn a_sphere_that_is_held_in_steps_has_a_doubt() {
     // 1.8e-3 is found.
     assert!(off.abs() < 3e-3 && !is_told(&warnings), "{off:e} {warnings:?}");
 }
+
+/// A solid bar in tension: stress beside its axis over that of the bar, and whether there is a doubt about it.
+fn solid_bar(edges: &str, ratio: f64) -> (f64, bool) {
+    let case = json!({
+        "title": "solid bar", "units": "mm-N-MPa", "symmetry": ["bottom"], "horizon_ratio": ratio,
+        "model": { "axisymmetric": { "youngs_modulus": 2e5, "poisson_ratio": 0.3, "edges": edges } },
+        "body": { "rectangle": { "size": [50, 50], "spacing": 2.5 } },
+        "loads": [{ "traction": { "edge": "top", "uniform": [0, 100] } }],
+        "probes": [{ "name": "hoop", "at": { "x": 1.25, "y": 26.25 }, "field": "stress_zz" }]
+    });
+    let summary = peristat::solve_text(&case.to_string()).unwrap_or_else(|error| panic!("{error}")).summary;
+    let is_told = summary.warnings.iter().any(|text| text.contains("beside the axis stresses can be off"));
+    (summary.probes[0].value / 100.0, is_told)
+}
+
+#[test]
+fn bonds_that_end_on_the_axis_have_a_doubt() {
+    // The hoop stress is none; -5.3e-2, -4.2e-4 and 1e-14 are found.
+    for (edges, ratio, most, doubt) in
+        [("border", 3.0, 7e-2, true), ("border", 2.0, 1e-3, false), ("ghosts", 3.0, 1e-10, false)]
+    {
+        let (off, is_told) = solid_bar(edges, ratio);
+        assert!(off.abs() < most && is_told == doubt, "{edges} {ratio}: {off:e} {is_told}");
+    }
+}
