@@ -129,7 +129,7 @@ fn what_a_few_digits_ask_for_is_refused_before_it_is_made() {
     let cases: [(&str, &str, Vec<String>); 8] = [
         ("bonds of images", &plate, vec![mirrors.into(), "horizon_ratio=90".into()]),
         ("families of their own", &thick, vec!["horizon_ratio=60".into()]),
-        ("bonds that a crack cuts", &plate, vec![crack.into(), "horizon_ratio=50".into()]),
+        ("bonds that a crack cuts", &plate, vec![crack.into(), "horizon_ratio=44".into()]),
         ("the border of a hole", &plate, vec![format!("body.rectangle.holes={hole}")]),
         ("positions on lines", &plate, vec![format!("lines=[{}]", lines.join(","))]),
         (
