@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn peaks_of_waves_are_found() {
-        for start in [0.3, 0.41, 0.9, 1.131, 1.5] {
+        for start in [0.41, 0.9, 1.131, 1.5] {
             let [(value, x), _] = extremes(f64::sin, [start, start + 1.2]);
             assert!(
                 (value - 1.0).abs() < 1e-14 && (x - 0.5 * std::f64::consts::PI).abs() < 1e-6,
