@@ -38,7 +38,9 @@ impl<'a> Between<'a> {
             has_axial: scene.has_axial,
             has_elements: scene.fracture.is_none(),
             has_distributed: !scene.bedding.is_empty() || distributed.clone().next().is_some(),
-            is_plain: eigenstrains.is_empty() && distributed.all(|l| l.along != Along::Rotation),
+            is_plain: eigenstrains.is_empty()
+                && !chain.line().stiffness.couples()
+                && distributed.all(|l| l.along != Along::Rotation),
             chain,
         }
     }
@@ -119,26 +121,60 @@ impl Cell<'_> {
         !self.knows(field) || matches!(field, M | N | V) && !self.on.has_distributed
     }
 
-    /// Whether the slope of a field is known to keep its sign over the cell.
+    /// Whether a field is known to have no extreme inside: its slope has no change of sign at the ends, and changes with one sign.
     pub(super) fn is_monotonous(&self, field: FieldName) -> bool {
-        let slopes = self.slopes(field).filter(|_| self.on.is_plain);
-        slopes.is_some_and(|[a, b]| a * b >= 0.0) && self.on.inside.breaks(self.span).next().is_none()
+        let keeps = |[a, b]: [f64; 2]| a * b >= 0.0;
+        let is = || {
+            let (m, v) = (self.ends(FieldName::M)?, self.ends(FieldName::V)?);
+            // V changes with one sign where loads are smooth.
+            let (of_moment, of_turn) = (keeps(v), keeps(v) && keeps(m));
+            Some(match field {
+                FieldName::M => of_moment,
+                FieldName::StressTop | FieldName::StressBottom => of_moment && self.is_bent_alone(),
+                FieldName::Phi => of_turn,
+                FieldName::U => keeps(self.ends(FieldName::N)?),
+                FieldName::W | FieldName::Ux | FieldName::Uy => {
+                    let [slopes, bends] = self.slopes(field, m, v)?;
+                    keeps(slopes) && of_turn && keeps(bends)
+                }
+                _ => false,
+            })
+        };
+        self.on.is_plain && is().unwrap_or(false) && self.on.inside.breaks(self.span).next().is_none()
     }
 
-    /// What the slopes of a field at both ends are multiples of, where moments alone turn the line and shear forces alone change
-    /// moments.
-    fn slopes(&self, field: FieldName) -> Option<[f64; 2]> {
-        match field {
-            FieldName::M => self.ends(FieldName::V),
-            FieldName::Phi => self.ends(FieldName::M),
-            FieldName::W => {
-                let (phi, v) = (self.ends(FieldName::Phi)?, self.ends(FieldName::V)?);
-                let line = self.on.chain.line();
-                let shear = |k: usize| line.stiffness.compliance(self.span[k] - line.from).shear;
-                Some([0, 1].map(|k| phi[k] + shear(k) * v[k]))
-            }
-            _ => None,
-        }
+    /// Slopes of a displacement at both ends, and the slopes of these.
+    fn slopes(&self, field: FieldName, m: [f64; 2], v: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+        let ([a, b], line) = (self.span, self.on.chain.line());
+        let (phi, n) = (self.ends(FieldName::Phi)?, self.axial()?);
+        // Forces per length.
+        let [q, p] = [v, n].map(|[left, right]| (left - right) / (b - a));
+        let [c, s] = self.on.fields.direction;
+        let (across, along) = match field {
+            FieldName::Ux => (-s, c),
+            FieldName::Uy => (c, s),
+            _ => (1.0, 0.0),
+        };
+        let at = |k: usize| {
+            let of = line.stiffness.compliance(self.span[k] - line.from);
+            let stretch = if along == 0.0 { [0.0; 2] } else { [of.axial * n[k], -of.axial * p] };
+            let bend = [phi[k] + of.shear * v[k], of.bending * m[k] - of.shear * q];
+            [0, 1].map(|k| across * bend[k] + along * stretch[k])
+        };
+        let [left, right] = [at(0), at(1)];
+        Some([0, 1].map(|k| [left[k], right[k]]))
+    }
+
+    /// Axial forces at the ends; zero without axial unknowns.
+    fn axial(&self) -> Option<[f64; 2]> {
+        let axial = &self.on.fields.recovered.as_ref()?.forces.axial;
+        Some(axial.get(self.number).copied().unwrap_or([0.0; 2]))
+    }
+
+    /// Whether stresses change with the moment alone.
+    fn is_bent_alone(&self) -> bool {
+        let is_even = |[a, b]: [f64; 2]| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
+        self.on.fields.section.has_uniform_stress() && self.axial().is_some_and(is_even)
     }
 
     /// Values at the ends, seen from inside.
@@ -149,7 +185,7 @@ impl Cell<'_> {
         match field {
             FieldName::M => Some(forces()?.moment[self.number]),
             FieldName::V => Some(forces()?.shear[self.number]),
-            FieldName::N => Some(forces()?.axial.get(self.number).copied().unwrap_or([0.0; 2])),
+            FieldName::N => self.axial(),
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
             _ => Some([self.at_point(field, 0)?, self.at_point(field, 1)?]),
@@ -201,8 +237,7 @@ impl Cell<'_> {
     fn section(&self, x: f64, after: bool) -> Option<[f64; 3]> {
         let forces = &self.on.fields.recovered.as_ref()?.forces;
         let (m, v) = (forces.moment[self.number], forces.shear[self.number]);
-        let n = forces.axial.get(self.number).copied().unwrap_or([0.0; 2]);
-        let [a, b] = self.span;
+        let (n, [a, b]) = (self.axial()?, self.span);
         let statics = |x: f64, after: bool| {
             let [force, lever, axial] = self.on.inside.carried([a, x], after);
             [m[0] - v[0] * (x - a) + lever, v[0] - force, n[0] - axial]

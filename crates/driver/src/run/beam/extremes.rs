@@ -76,12 +76,13 @@ impl Between<'_> {
         // So many leave 1e-8 between points beside other cells than those at the extremes.
         const MANY: usize = 4096;
         let all = self.cells();
+        let has_extreme = |cell: &usize| !self.cell(*cell).is_monotonous(field);
         if all <= FEW {
-            return Some((0..all).collect());
+            return Some((0..all).filter(has_extreme).collect());
         }
         if all > MANY {
             let beside = |(_, point): (f64, usize)| point.saturating_sub(1)..(point + 1).min(all);
-            return Some(beside(low).chain(beside(high)).collect());
+            return Some(beside(low).chain(beside(high)).filter(has_extreme).collect());
         }
         if high.0 - low.0 <= 1e-12 * high.0.abs().max(low.0.abs()) {
             return Some(Vec::new());
@@ -95,7 +96,7 @@ impl Between<'_> {
             let [a, b] = ends[*number];
             a.max(b) + most >= high.0 || a.min(b) - most <= low.0
         };
-        Some((0..all).filter(is_high).filter(|&cell| !self.cell(cell).is_monotonous(field)).collect())
+        Some((0..all).filter(is_high).filter(has_extreme).collect())
     }
 }
 

@@ -35,6 +35,11 @@ impl SectionAlong {
         Some(0.5 * value(self.height.as_ref()?) / value(self.second_moment.as_ref()?))
     }
 
+    /// Whether a moment makes the same stress everywhere.
+    pub fn has_uniform_stress(&self) -> bool {
+        [&self.height, &self.second_moment].into_iter().flatten().all(|p| p.uniform().is_some())
+    }
+
     /// Whether bending stresses are known.
     pub fn has_stress(&self) -> bool {
         self.height.is_some() && self.second_moment.is_some()
