@@ -1,6 +1,6 @@
 //! The loads of a line that its bonds carry.
 
-use super::{BeamLoads, Distributed, PointAction};
+use super::{BeamLoads, Distributed, Intensity, PointAction};
 use crate::model::timoshenko_beam::Chain;
 
 /// Loads that bonds carry.
@@ -22,6 +22,11 @@ impl<'a> Carried<'a> {
     /// Whether there are none.
     pub(super) fn is_empty(&self) -> bool {
         self.distributed.is_empty() && self.point.is_empty()
+    }
+
+    /// Whether all loads are straight or parabolas.
+    pub(super) fn are_polynomials(&self) -> bool {
+        !self.distributed.iter().any(|load| matches!(load.intensity, Intensity::Sine { .. }))
     }
 
     /// `[∫ q, ∫ (b − x) q − ∫ c, ∫ p]` of all loads inside `[a, b]`, m, with the concentrated loads at `b` only if `with_end`:
