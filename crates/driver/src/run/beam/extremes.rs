@@ -88,12 +88,11 @@ impl Between<'_> {
             return Some(Vec::new());
         }
         let ends = self.all_ends(field)?;
-        let rise = |[a, b]: [f64; 2]| (b - a).abs();
-        let is_high = |number: &usize| {
+        let rises: Vec<f64> = ends.iter().map(|[a, b]| (b - a).abs()).collect();
+        let is_high = |&number: &usize| {
             // A cell rises above its ends by less than these differ, or those of the cells beside it.
-            let beside = &ends[number.saturating_sub(1)..(number + 2).min(all)];
-            let most = beside.iter().map(|ends| rise(*ends)).fold(0.0, f64::max);
-            let [a, b] = ends[*number];
+            let beside = rises[number.saturating_sub(1)].max(rises[(number + 1).min(all - 1)]);
+            let (most, [a, b]) = (rises[number].max(beside), ends[number]);
             a.max(b) + most >= high.0 || a.min(b) - most <= low.0
         };
         Some((0..all).filter(is_high).filter(has_extreme).collect())
