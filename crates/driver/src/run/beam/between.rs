@@ -18,7 +18,7 @@ pub(crate) struct Between<'a> {
     has_elements: bool,
     /// Whether loads or foundations are spread over it.
     has_distributed: bool,
-    /// Whether moments alone turn it, and shear forces alone change moments.
+    /// Whether moments alone turn it, shear forces alone change moments, and nothing is spread along it.
     is_plain: bool,
     chain: &'a Chain,
 }
@@ -40,7 +40,7 @@ impl<'a> Between<'a> {
             has_distributed: !scene.bedding.is_empty() || distributed.clone().next().is_some(),
             is_plain: eigenstrains.is_empty()
                 && !chain.line().stiffness.couples()
-                && distributed.all(|l| l.along != Along::Rotation),
+                && distributed.all(|l| l.along == Along::Transverse),
             chain,
         }
     }
@@ -121,18 +121,25 @@ impl Cell<'_> {
         !self.knows(field) || matches!(field, M | N | V) && !self.on.has_distributed
     }
 
+    /// Whether a field may have an extreme inside.
+    pub(super) fn may_turn(&self, field: FieldName) -> bool {
+        let has_breaks = || self.on.inside.breaks(self.span).next().is_some();
+        self.knows(field) && (has_breaks() || !self.is_straight(field) && !self.is_monotonous(field))
+    }
+
     /// Whether a field is known to have no extreme inside: its slope has no change of sign at the ends, and changes with one sign.
-    pub(super) fn is_monotonous(&self, field: FieldName) -> bool {
+    fn is_monotonous(&self, field: FieldName) -> bool {
         let keeps = |[a, b]: [f64; 2]| a * b >= 0.0;
         let is = || {
             let (m, v) = (self.ends(FieldName::M)?, self.ends(FieldName::V)?);
-            // V changes with one sign where loads are smooth.
             let (of_moment, of_turn) = (keeps(v), keeps(v) && keeps(m));
             Some(match field {
+                FieldName::V => true,
                 FieldName::M => of_moment,
                 FieldName::StressTop | FieldName::StressBottom => of_moment && self.is_bent_alone(),
                 FieldName::Phi => of_turn,
-                FieldName::U => keeps(self.ends(FieldName::N)?),
+                // Nothing is spread along the line.
+                FieldName::U => true,
                 FieldName::W | FieldName::Ux | FieldName::Uy => {
                     let [slopes, bends] = self.slopes(field, m, v)?;
                     keeps(slopes) && of_turn && keeps(bends)
@@ -140,7 +147,8 @@ impl Cell<'_> {
                 _ => false,
             })
         };
-        self.on.is_plain && is().unwrap_or(false) && self.on.inside.breaks(self.span).next().is_none()
+        // V changes with one sign.
+        self.on.is_plain && self.on.inside.pushes_one_way(self.span) && is().unwrap_or(false)
     }
 
     /// Slopes of a displacement at both ends, and the slopes of these.

@@ -76,16 +76,13 @@ impl Between<'_> {
         // So many leave 1e-8 between points beside other cells than those at the extremes.
         const MANY: usize = 4096;
         let all = self.cells();
-        let has_extreme = |cell: &usize| !self.cell(*cell).is_monotonous(field);
+        let may_turn = |cell: &usize| self.cell(*cell).may_turn(field);
         if all <= FEW {
-            return Some((0..all).filter(has_extreme).collect());
+            return Some((0..all).filter(may_turn).collect());
         }
         if all > MANY {
             let beside = |(_, point): (f64, usize)| point.saturating_sub(1)..(point + 1).min(all);
-            return Some(beside(low).chain(beside(high)).filter(has_extreme).collect());
-        }
-        if high.0 - low.0 <= 1e-12 * high.0.abs().max(low.0.abs()) {
-            return Some(Vec::new());
+            return Some(beside(low).chain(beside(high)).filter(may_turn).collect());
         }
         let ends = self.all_ends(field)?;
         let rises: Vec<f64> = ends.iter().map(|[a, b]| (b - a).abs()).collect();
@@ -95,7 +92,7 @@ impl Between<'_> {
             let (most, [a, b]) = (rises[number].max(beside), ends[number]);
             a.max(b) + most >= high.0 || a.min(b) - most <= low.0
         };
-        Some((0..all).filter(is_high).filter(has_extreme).collect())
+        Some((0..all).filter(is_high).filter(may_turn).collect())
     }
 }
 

@@ -5,6 +5,7 @@ use super::between::Between;
 use crate::case::{FieldName, Reduction};
 use crate::run::reducer::{Reduced, Reducer};
 use crate::scene::beam::BeamScene;
+use peristat_assembly::quadrature::GAUSS_3;
 use std::ops::Range;
 
 /// What is made of a field along some lines, at their points and between them; the place is a line and a position on it. None
@@ -20,16 +21,20 @@ pub(super) fn read(
         let between = Between::new(scene, result, line);
         for cell in (0..between.cells()).map(|number| between.cell(number)) {
             for part in cell.parts(field)? {
-                let ([a, b], [start, end]) = (part.ends, part.values);
-                reducer.take(start, (line, a), |_| (b - a) / 6.0);
-                reducer.take(end, (line, b), |_| (b - a) / 6.0);
                 let value = |x| cell.value(field, x, true);
                 if !of.is_extreme() {
-                    // Simpson's rule.
-                    let x = part.at(0.5);
-                    reducer.take(value(x)?, (line, x), |_| 2.0 * (b - a) / 3.0);
-                } else if !cell.is_straight(field) {
-                    part.peaks(value)?.into_iter().for_each(|(v, x)| reducer.take(v, (line, x), |_| 0.0));
+                    let [a, b] = part.ends;
+                    // Exact to the fifth degree, which a deflection has under a straight load.
+                    for (q, share) in GAUSS_3 {
+                        let x = part.at(q);
+                        reducer.take(value(x)?, (line, x), |_| share * (b - a));
+                    }
+                    continue;
+                }
+                let mut take = |(value, x): (f64, f64)| reducer.take(value, (line, x), |_| 0.0);
+                part.corners().into_iter().for_each(&mut take);
+                if !cell.is_straight(field) {
+                    part.peaks(value)?.into_iter().for_each(take);
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! What lies between two neighbouring points of a line: statics, and displacements by the force method.
 
-use super::{BeamLoads, Carried};
+use super::{Along, BeamLoads, Carried, Intensity};
 use crate::material::Compliance;
 use crate::model::timoshenko_beam::Chain;
 use crate::model::timoshenko_beam::chain::pieces;
@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 pub struct Inside<'a> {
     carried: Carried<'a>,
     chain: &'a Chain,
-    /// Distances from the start at which the stiffness or the loads are not smooth, in order.
+    /// Distances from the start at which the stiffness or the loads are not smooth, or waves of loads turn, in order.
     breaks: Vec<f64>,
 }
 
@@ -20,8 +20,26 @@ impl<'a> Inside<'a> {
     /// Of a line with its number.
     pub fn new(loads: &'a BeamLoads, number: usize, chain: &'a Chain) -> Self {
         let carried = Carried::of(loads, number);
-        let breaks = carried.breaks(chain);
+        let mut breaks = carried.breaks(chain);
+        let waves = carried.distributed.iter().flat_map(|load| load.zeros_of_waves());
+        breaks.extend(waves.map(|x| x - chain.line().from));
+        breaks.sort_by(f64::total_cmp);
         Self { carried, chain, breaks }
+    }
+
+    /// Whether what is spread across the line is known to act in one direction all over `[a, b]`, m, where it has no breaks.
+    pub fn pushes_one_way(&self, [a, b]: [f64; 2]) -> bool {
+        let across = self.carried.distributed.iter().filter(|load| load.along == Along::Transverse);
+        let mut signs = [false; 2];
+        for load in across.filter(|load| load.from < b && load.to > a) {
+            let values = match load.intensity {
+                Intensity::Parabola { .. } => return false,
+                Intensity::Sine { .. } => [load.value(0.5 * (a + b)); 2],
+                Intensity::Linear { .. } => [a.max(load.from), b.min(load.to)].map(|x| load.value(x)),
+            };
+            values.into_iter().for_each(|q| signs = [signs[0] || q < 0.0, signs[1] || q > 0.0]);
+        }
+        signs != [true; 2]
     }
 
     /// `[∫ q, ∫ (b − x) q − ∫ c, ∫ p]` of the loads inside `[a, b]`, m, with the concentrated ones at `b` only if `with_end`:
@@ -30,7 +48,7 @@ impl<'a> Inside<'a> {
         self.carried.resultant(a, b, with_end)
     }
 
-    /// Positions between `a` and `b` at which the stiffness or the loads are not smooth, m.
+    /// Positions between `a` and `b` at which the stiffness or the loads are not smooth, or waves of loads turn, m.
     pub fn breaks(&self, [a, b]: [f64; 2]) -> impl Iterator<Item = f64> + '_ {
         // Ends of loads and points agree up to rounding.
         let (from, slack) = (self.chain.line().from, 1e-9 * (b - a));

@@ -126,6 +126,16 @@ impl Distributed {
         }
     }
 
+    /// Where a sine of several half-waves changes its sign, m.
+    fn zeros_of_waves(&self) -> impl Iterator<Item = f64> + use<> {
+        let half_waves = match self.intensity {
+            Intensity::Sine { half_waves, .. } => half_waves,
+            _ => 1,
+        };
+        let (from, length) = (self.from, self.to - self.from);
+        (1..half_waves).map(move |k| from + length * f64::from(k) / f64::from(half_waves))
+    }
+
     /// The value, where it is the same everywhere.
     fn constant(&self) -> Option<f64> {
         match self.intensity {
