@@ -66,7 +66,7 @@ fn every_end_treatment_gives_the_reactions_of_statics() {
         let reaction = &cantilever.states[0].reactions[0];
         // Measured 1e-14.
         assert_close(&[reaction.force, reaction.moment], &[-1000.0, -1000.0], 1e-12);
-        let sections = &cantilever.states[0].lines[0].recovered.as_ref().expect("recovered").forces;
+        let sections = cantilever.states[0].lines[0].forces.as_ref().expect("recovered");
         assert_close(&[sections.moment[0][0], sections.shear[0][0]], &[1000.0, 1000.0], 1e-12);
         let simple = json!([{ "at": { "x": 0.0 }, "w": 0.0 }, { "at": { "x": 1.0 }, "w": 0.0 }]);
         let uniform = json!([{ "distributed": { "force": { "uniform": 1000.0 } } }]);
@@ -102,7 +102,7 @@ fn the_shear_force_of_a_slender_beam_keeps_its_digits() {
     let clamp = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }]);
     let loads = json!([{ "distributed": { "force": { "uniform": 1e-4 } } }]);
     let run = run_recovered(&with(steel(1e-4, "exact", 10_000), clamp, loads));
-    let sections = &run.states[0].lines[0].recovered.as_ref().expect("recovered").forces;
+    let sections = run.states[0].lines[0].forces.as_ref().expect("recovered");
     for (cell, shear) in sections.shear.iter().enumerate() {
         let x = cell as f64 / 10_000.0;
         // V = q (L − x); measured 5e-13 of q L.

@@ -20,7 +20,7 @@ enum Side {
 /// Errors of M and V at both ends of all cells, relative to the given scales.
 fn errors(run: &Run, scale: [f64; 2], exact: Forces) -> [f64; 2] {
     let line = &run.states[0].lines[0];
-    let forces = &line.recovered.as_ref().expect("recovered").forces;
+    let forces = line.forces.as_ref().expect("recovered");
     let mut differences = [Vec::new(), Vec::new()];
     for (cell, x) in line.x.windows(2).enumerate() {
         for (end, side) in [Side::Left, Side::Right].into_iter().enumerate() {

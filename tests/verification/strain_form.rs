@@ -68,9 +68,9 @@ fn differences(a: &Run, b: &Run) -> f64 {
         };
         let (a_forces, b_forces) = (forces(a), forces(b));
         worst = worst.max(apart(&a_forces, &b_forces) / largest(&b_forces).max(f64::MIN_POSITIVE));
-        if let (Some(a), Some(b)) = (&a_state.lines[0].recovered, &b_state.lines[0].recovered) {
-            let (a_m, b_m) = (a.forces.moment.concat(), b.forces.moment.concat());
-            let (a_v, b_v) = (a.forces.shear.concat(), b.forces.shear.concat());
+        if let (Some(a), Some(b)) = (&a_state.lines[0].forces, &b_state.lines[0].forces) {
+            let (a_m, b_m) = (a.moment.concat(), b.moment.concat());
+            let (a_v, b_v) = (a.shear.concat(), b.shear.concat());
             let size = largest(&b_m).max(length * largest(&b_v)).max(f64::MIN_POSITIVE);
             worst = worst.max(apart(&a_m, &b_m) / size).max(length * apart(&a_v, &b_v) / size);
         }
@@ -192,7 +192,7 @@ fn the_softest_spring_takes_the_moment_that_statics_gives_it() {
         let run = run_recovered(&case);
         let reaction = &run.states[0].reactions[0];
         assert_eq!((reaction.force, reaction.moment), (-1000.0, -1000.0), "{stiffness}");
-        let moments = &run.states[0].lines[0].recovered.as_ref().expect("recovered").forces.moment;
+        let moments = &run.states[0].lines[0].forces.as_ref().expect("recovered").moment;
         let expected: Vec<f64> = (0..24).map(|k| 1000.0 * (1.0 - f64::from(k) / 24.0)).collect();
         let found: Vec<f64> = moments.iter().map(|m| m[0]).collect();
         assert!(error(&found, &expected) < 1e-15, "{stiffness}");

@@ -165,7 +165,7 @@ fn a_coupled_member_under_every_load_is_exact_at_its_points() {
         let reaction = [0, n, 2 * n].map(|k| forces[k] - load[k]);
         let mut all = load;
         (0..3).for_each(|c| all[c * n] += reaction[c]);
-        let fields = beam.fields(0, &u, &all, None, &loads()).forces;
+        let fields = beam.section_forces(0, &all, None, &loads());
         let near = |k: usize, side: usize| positions[k + side] + if side == 0 { 1e-12 } else { -1e-12 };
         for (component, cells) in [&fields.axial, &fields.shear, &fields.moment].into_iter().enumerate() {
             let found: Vec<f64> = cells.iter().flatten().copied().collect();

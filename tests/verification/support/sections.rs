@@ -11,7 +11,7 @@ pub(crate) fn at(run: &Run, field: FieldName, member: usize, point: usize) -> f6
 
 /// N, V, M at the two ends of a member, from inside it.
 pub(crate) fn ends(run: &Run, member: usize) -> [[f64; 3]; 2] {
-    let forces = &run.states[0].lines[member].recovered.as_ref().expect("recovered").forces;
+    let forces = run.states[0].lines[member].forces.as_ref().expect("recovered");
     let (first, last) = (0, forces.moment.len() - 1);
     [(first, 0), (last, 1)].map(|(cell, side)| {
         let axial = forces.axial.get(cell).map_or(0.0, |n| n[side]);

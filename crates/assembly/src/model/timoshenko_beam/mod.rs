@@ -36,7 +36,7 @@ pub use bond::{BeamBond, UniformBending, UniformSection, UniformStretch};
 pub use breaking::{CriticalStrain, CriticalStrains};
 pub use chain::{Axial, BondTable, Chain, ChainError, Grid, Line};
 pub use load::{Along, BeamLoads, ChainLoads, Distributed, Element, Inside, Intensity, PointAction};
-pub use recover::{BeamFields, SectionForces};
+pub use recover::SectionForces;
 pub use strain::{
     ForceMethod, FromLeft, FromRight, NoStrainForm, Redundants, Resultant, STRAIN_BLOCK, StrainAction,
     StrainBand, StrainChecks, StrainForm, StrainSupport,

@@ -1,4 +1,4 @@
-//! Fields of a solved beam: section forces, stress, energy density.
+//! Fields of a solved beam: section forces, energy density.
 
 use super::load::{BeamLoads, FixedEnd};
 use super::{Chain, PHI, TimoshenkoBeam, U, W};
@@ -14,16 +14,6 @@ pub struct SectionForces {
     pub shear: Vec<[f64; 2]>,
     /// Axial forces N at the left and right end of each cell, N, tension positive; empty in bodies without axial unknowns.
     pub axial: Vec<[f64; 2]>,
-}
-
-/// Recovered fields of one line.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BeamFields {
-    /// Section forces per cell between neighbouring points.
-    pub forces: SectionForces,
-    /// Strain energy density per point, J/m³: the mean of its cells, over which every bond spreads its energy. Inside, that
-    /// is Eqs. (11a,b) up to δ²; at an end the halves of those equations pile up where bonds make up for missing ones.
-    pub energy_density: Vec<f64>,
 }
 
 impl SectionForces {
@@ -69,8 +59,8 @@ fn carried_beyond(chain: &Chain, fixed_end: &FixedEnd, cells: &Range<usize>) -> 
 }
 
 impl TimoshenkoBeam {
-    /// Fields of a line under unknowns `u`, with all forces on its points (loads, reactions, forces of links and springs;
-    /// as many planes as `u` has) and the loads that bonds share.
+    /// Section forces of a line under all forces on its points (loads, reactions, forces of links and springs; two or three
+    /// planes) and the loads that bonds share.
     ///
     /// Section forces are sums from the left end. Summed over the bonds that cross a section they would be the same, but
     /// the shear force would be a small difference of large deflections: half its digits are gone at slenderness 10⁴.
@@ -79,14 +69,13 @@ impl TimoshenkoBeam {
     ///
     /// `lumped` are those of the forces that only stand for what acts all along the parts of their points, lumped loads and
     /// foundations, in as many planes: half of such a force has not been passed yet where its point is.
-    pub fn fields(
+    pub fn section_forces(
         &self,
         chain: usize,
-        u: &[f64],
         forces: &[f64],
         lumped: Option<&[f64]>,
         loads: &BeamLoads,
-    ) -> BeamFields {
+    ) -> SectionForces {
         let mut sections = self.statics(chain, forces);
         if let Some(lumped) = lumped {
             self.spread_lumped(chain, lumped, &mut sections);
@@ -95,7 +84,7 @@ impl TimoshenkoBeam {
         if fixed_end.is_needed() {
             self.add_fixed_end_forces(chain, &fixed_end, &mut sections);
         }
-        BeamFields { forces: sections, energy_density: self.energy_density(chain, u) }
+        sections
     }
 
     /// Section forces of forces on points.
@@ -163,8 +152,10 @@ impl TimoshenkoBeam {
         }
     }
 
-    /// Energy density per point.
-    fn energy_density(&self, chain: usize, u: &[f64]) -> Vec<f64> {
+    /// Strain energy density per point that bonds store under unknowns `u`, J/m³: the mean of its cells, over which every bond spreads
+    /// its energy. Inside, that is Eqs. (11a,b) up to δ²; at an end the halves of those equations pile up where bonds make up for
+    /// missing ones.
+    pub fn energy_density(&self, chain: usize, u: &[f64]) -> Vec<f64> {
         let (c, n, first) = (&self.chains[chain], self.points, self.first[chain]);
         let cells = c.points - 1;
         // A bar from end to end stretches evenly.

@@ -62,7 +62,7 @@ fn curve(result: &BeamResult, field: Field) -> Option<Vec<(f64, f64)>> {
                 points.extend(fields.x.iter().copied().zip(result.values(name, line)?.iter().copied()));
             }
             Field::M | Field::V | Field::Energy => {
-                let forces = &fields.recovered.as_ref()?.forces;
+                let forces = fields.forces.as_ref()?;
                 let cells = if field == Field::M { &forces.moment } else { &forces.shear };
                 for (cell, x) in cells.iter().zip(fields.x.windows(2)) {
                     points.extend([(x[0], cell[0]), (x[1], cell[1])]);

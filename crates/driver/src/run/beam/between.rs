@@ -89,11 +89,11 @@ pub(super) struct Cell<'a> {
 impl Cell<'_> {
     /// Whether a field is known between points, not at points alone.
     fn knows(&self, field: FieldName) -> bool {
-        use FieldName::{M, N, Phi, StressBottom, StressTop, U, Ux, Uy, V, W};
+        use FieldName::{EnergyDensity, M, N, Phi, StressBottom, StressTop, U, Ux, Uy, V, W};
         self.on.has_elements
             && match field {
                 U | N => self.on.has_axial,
-                W | Phi | Ux | Uy | M | V | StressTop | StressBottom => true,
+                W | Phi | Ux | Uy | M | V | StressTop | StressBottom | EnergyDensity => true,
                 _ => false,
             }
     }
@@ -137,6 +137,13 @@ impl Cell<'_> {
                 FieldName::V => true,
                 FieldName::M => of_moment,
                 FieldName::StressTop | FieldName::StressBottom => of_moment && self.is_bent_alone(),
+                FieldName::EnergyDensity => {
+                    let is_even = !self.on.has_distributed && self.on.fields.section.has_uniform_area();
+                    of_turn
+                        && is_even
+                        && self.axial()? == [0.0; 2]
+                        && !self.on.chain.line().stiffness.varies()
+                }
                 FieldName::Phi => of_turn,
                 // Nothing is spread along the line.
                 FieldName::U => true,
@@ -175,7 +182,7 @@ impl Cell<'_> {
 
     /// Axial forces at the ends; zero without axial unknowns.
     fn axial(&self) -> Option<[f64; 2]> {
-        let axial = &self.on.fields.recovered.as_ref()?.forces.axial;
+        let axial = &self.on.fields.forces.as_ref()?.axial;
         Some(axial.get(self.number).copied().unwrap_or([0.0; 2]))
     }
 
@@ -188,7 +195,7 @@ impl Cell<'_> {
     /// Values at the ends, seen from inside.
     fn ends(&self, field: FieldName) -> Option<[f64; 2]> {
         let [a, b] = self.span;
-        let forces = || Some(&self.on.fields.recovered.as_ref()?.forces);
+        let forces = || self.on.fields.forces.as_ref();
         let stress = |sign| Some([self.stress(sign, a, true)?, self.stress(sign, b, false)?]);
         match field {
             FieldName::M => Some(forces()?.moment[self.number]),
@@ -196,6 +203,9 @@ impl Cell<'_> {
             FieldName::N => self.axial(),
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
+            FieldName::EnergyDensity if self.on.has_elements => {
+                Some([self.energy_density(a, true)?, self.energy_density(b, false)?])
+            }
             _ => Some([self.at_point(field, 0)?, self.at_point(field, 1)?]),
         }
     }
@@ -221,6 +231,7 @@ impl Cell<'_> {
             FieldName::N => Some(self.section(x, after)?[2]),
             FieldName::StressTop => self.stress(-1.0, x, after),
             FieldName::StressBottom => self.stress(1.0, x, after),
+            FieldName::EnergyDensity => self.energy_density(x, after),
             _ => None,
         }
     }
@@ -243,7 +254,7 @@ impl Cell<'_> {
     /// `(M, V, N)`: statics from the start of the cell. What acts on points but stands for what is spread (lumped loads,
     /// foundations) is spread evenly over the cell, so that the forces at its end are met.
     fn section(&self, x: f64, after: bool) -> Option<[f64; 3]> {
-        let forces = &self.on.fields.recovered.as_ref()?.forces;
+        let forces = self.on.fields.forces.as_ref()?;
         let (m, v) = (forces.moment[self.number], forces.shear[self.number]);
         let (n, [a, b]) = (self.axial()?, self.span);
         let statics = |x: f64, after: bool| {
@@ -262,5 +273,10 @@ impl Cell<'_> {
         let [m, _, n] = self.section(x, after)?;
         let [a, b] = self.span;
         self.on.fields.stress(sign, [m, n], x, if after { b } else { a })
+    }
+
+    fn energy_density(&self, x: f64, after: bool) -> Option<f64> {
+        let [a, b] = self.span;
+        self.on.fields.energy_density(self.section(x, after)?, x, if after { b } else { a })
     }
 }

@@ -30,7 +30,6 @@ pub(super) fn of_beam(
     }
     let all = recover.then(|| forces_on_points(scene, springs, load, &solution, &u));
     let lumped = if recover { lumped_forces(scene, springs, &state.loads, &u) } else { None };
-    let area = |c: usize| scene.sections[c].area.as_ref().and_then(|area| area.uniform());
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
@@ -38,16 +37,15 @@ pub(super) fn of_beam(
             first: beam.first_real(c),
             origin: chain.line().origin,
             direction: chain.line().direction,
+            stiffness: chain.line().stiffness.clone(),
             section: scene.sections[c].clone(),
             from: chain.line().from,
-            recovered: all.as_ref().map(|all| {
-                let mut fields = beam.fields(c, &u, all, lumped.as_deref(), &state.loads);
-                state
-                    .eigenstrains
-                    .iter()
-                    .filter(|given| given.chain == c)
-                    .for_each(|given| eigenstrain::take_off(given, &mut fields, area(c)));
-                fields
+            stored: (recover && scene.fracture.is_some()).then(|| beam.energy_density(c, &u)),
+            forces: all.as_ref().map(|all| {
+                let mut forces = beam.section_forces(c, all, lumped.as_deref(), &state.loads);
+                let strained = state.eigenstrains.iter().filter(|given| given.chain == c);
+                strained.for_each(|given| eigenstrain::take_off(given, &mut forces));
+                forces
             }),
         }
     };

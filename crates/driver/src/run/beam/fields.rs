@@ -6,7 +6,8 @@ use super::reaction::{HeldForce, JointReaction, Reaction};
 use crate::case::FieldName;
 use crate::run::StateRecord;
 use crate::scene::beam::SectionAlong;
-use peristat_assembly::model::timoshenko_beam::{BeamFields, PHI, U, W};
+use peristat_assembly::material::SectionStiffness;
+use peristat_assembly::model::timoshenko_beam::{PHI, SectionForces, U, W};
 use std::borrow::Cow;
 
 /// Fields of one line.
@@ -20,12 +21,16 @@ pub struct LineFields {
     pub origin: [f64; 2],
     /// Unit vector in which positions grow.
     pub direction: [f64; 2],
-    /// What is known of its sections.
+    /// Stiffness of its sections.
+    pub(super) stiffness: SectionStiffness,
+    /// What else is known of them.
     pub(super) section: SectionAlong,
     /// Position of its start.
     pub(super) from: f64,
-    /// Section forces and energy density, where they were asked for.
-    pub recovered: Option<BeamFields>,
+    /// Section forces, where they were asked for.
+    pub forces: Option<SectionForces>,
+    /// Energy density at points of bonds some of which may be broken; section forces say that of all others.
+    pub(super) stored: Option<Vec<f64>>,
 }
 
 /// The result of one state of a beam or frame.
@@ -54,27 +59,33 @@ impl LineFields {
         [0, 1].map(|k| self.origin[k] + self.x.at(point) * self.direction[k])
     }
 
+    /// The distance from the start of a position, on a jump of the section on the side of `towards`.
+    fn beside(&self, x: f64, towards: f64) -> f64 {
+        x - self.from + 1e-9 * (towards - x)
+    }
+
     /// Normal stress at an extreme fibre, that on the side of −w if `sign` is 1, under a moment and an axial force at a
     /// position of the line; on a jump of the section that on the side of `towards`.
     pub(super) fn stress(&self, sign: f64, [m, n]: [f64; 2], x: f64, towards: f64) -> Option<f64> {
         let bending = sign * m * self.section.stress_per_moment(x - self.from, towards - self.from)?;
-        let stretching = if n == 0.0 { 0.0 } else { n / self.section.area.as_ref()?.value(x - self.from) };
+        let stretching =
+            if n == 0.0 { 0.0 } else { n / self.section.area.as_ref()?.value(self.beside(x, towards)) };
         Some(bending + stretching)
+    }
+
+    /// Strain energy density `(M φ' + V (w' − φ) + N u') / 2A` under section forces M, V and N at a position of the line; on a jump
+    /// of the section that on the side of `towards`. None where the area is not known.
+    pub(super) fn energy_density(&self, [m, v, n]: [f64; 3], x: f64, towards: f64) -> Option<f64> {
+        let s = self.beside(x, towards);
+        let of = self.stiffness.compliance(s);
+        // The axial stiffness of what has no axial forces may not have been given.
+        let stretched = if n == 0.0 { 0.0 } else { n * (of.axial * n + 2.0 * of.coupling * m) };
+        Some(0.5 * (of.bending * m * m + of.shear * v * v + stretched) / self.section.area.as_ref()?.value(s))
     }
 
     /// The point that a field at a point looks at: the next one, at the last point the one before.
     fn neighbour(&self, point: usize) -> f64 {
         self.x.at(if point + 1 < self.x.len() { point + 1 } else { point - 1 })
-    }
-
-    /// Energy density at a point: that with the area at the start, as recovered, over the area there.
-    fn energy_density(&self, point: usize) -> Option<f64> {
-        let area = self.section.area.as_ref()?;
-        let density = self.recovered.as_ref()?.energy_density[point];
-        Some(match area.uniform() {
-            Some(_) => density,
-            None => density * area.value(0.0) / area.value(self.x.at(point) - self.from),
-        })
     }
 }
 
@@ -96,7 +107,7 @@ impl BeamResult {
         if !field.is_reaction() && !self.fields.contains(&field) {
             return None;
         }
-        let forces = || fields.recovered.as_ref().map(|r| r.forces.at(point));
+        let forces = || fields.forces.as_ref().map(|forces| forces.at(point));
         let stress = |sign: f64| {
             let (m, _, axial) = forces()?;
             fields.stress(sign, [m, axial], fields.x.at(point), fields.neighbour(point))
@@ -117,7 +128,12 @@ impl BeamResult {
             // A positive moment bends the ends towards +w and shortens the fibres on that side.
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
-            FieldName::EnergyDensity => fields.energy_density(point),
+            FieldName::EnergyDensity => match &fields.stored {
+                Some(stored) => Some(stored[point]),
+                None => forces().and_then(|(m, v, n)| {
+                    fields.energy_density([m, v, n], fields.x.at(point), fields.neighbour(point))
+                }),
+            },
             FieldName::ReactionX => reaction(|r| r.force[0]),
             FieldName::ReactionForce | FieldName::ReactionY => reaction(|r| r.force[1]),
             FieldName::ReactionMoment => reaction(|r| r.moment),
@@ -133,10 +149,7 @@ impl BeamResult {
             FieldName::W => W,
             FieldName::Phi => PHI,
             FieldName::U => U,
-            FieldName::EnergyDensity => {
-                fields.section.area.as_ref()?.uniform()?;
-                return fields.recovered.as_ref().map(|recovered| &recovered.energy_density[..]);
-            }
+            FieldName::EnergyDensity => return fields.stored.as_deref(),
             _ => return None,
         };
         self.record.u.get(plane * self.points + fields.first..)?.get(..fields.x.len())
@@ -173,29 +186,31 @@ impl BeamResult {
         })
     }
 
-    /// Section force, or stress from it, at both ends of every cell of a line, seen from inside.
+    /// Section force, or what follows from it, at both ends of every cell of a line, seen from inside.
     pub(super) fn cells(&self, field: FieldName, line: usize) -> Option<Cow<'_, [[f64; 2]]>> {
         let fields = &self.lines[line];
-        let forces = &fields.recovered.as_ref()?.forces;
+        let forces = fields.forces.as_ref()?;
         if !self.fields.contains(&field) {
             return None;
         }
         let axial = |cell: usize| forces.axial.get(cell).copied().unwrap_or([0.0; 2]);
-        let stress = |sign: f64| {
-            let cell = |(k, (m, x)): (usize, (&[f64; 2], &[f64]))| {
-                let n = axial(k);
-                let left = fields.stress(sign, [m[0], n[0]], x[0], x[1])?;
-                let right = fields.stress(sign, [m[1], n[1]], x[1], x[0])?;
-                Some([left, right])
+        let follow = |of: &dyn Fn([f64; 3], f64, f64) -> Option<f64>| {
+            let cell = |(k, x): (usize, &[f64])| {
+                let (m, v, n) = (forces.moment[k], forces.shear[k], axial(k));
+                Some([of([m[0], v[0], n[0]], x[0], x[1])?, of([m[1], v[1], n[1]], x[1], x[0])?])
             };
-            forces.moment.iter().zip(fields.x.windows(2)).enumerate().map(cell).collect()
+            fields.x.windows(2).enumerate().map(cell).collect()
         };
+        let stress = |sign: f64| follow(&|[m, _, n], x, towards| fields.stress(sign, [m, n], x, towards));
         match field {
             FieldName::M => Some((&forces.moment).into()),
             FieldName::V => Some((&forces.shear).into()),
             FieldName::N => Some((0..forces.moment.len()).map(axial).collect()),
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
+            FieldName::EnergyDensity if fields.stored.is_none() => {
+                follow(&|forces, x, towards| fields.energy_density(forces, x, towards))
+            }
             _ => None,
         }
     }

@@ -135,8 +135,8 @@ fn closed_form(scene: &BeamScene, solution: &Solution, field: Field, result: &Be
     let at = |x: f64| solution.value(field, x - from).unwrap_or(f64::NAN);
     let line = &result.lines[0];
     // Section forces may jump at a point; a reference answers for its left.
-    let forces = line.recovered.as_ref().map(|r| &r.forces);
-    let cells = forces.map_or(&[][..], |f| if field == Field::M { &f.moment } else { &f.shear });
+    let cells =
+        line.forces.as_ref().map_or(&[][..], |f| if field == Field::M { &f.moment } else { &f.shear });
     let expected: Vec<f64> = line.x[1..].iter().map(|&x| at(x)).collect();
     let found: Vec<f64> = cells.iter().map(|cell| cell[1]).collect();
     Worst::of(&expected, &found)

@@ -40,6 +40,11 @@ impl SectionAlong {
         [&self.height, &self.second_moment].into_iter().flatten().all(|p| p.uniform().is_some())
     }
 
+    /// Whether its area is the same everywhere.
+    pub fn has_uniform_area(&self) -> bool {
+        self.area.as_ref().is_none_or(|area| area.uniform().is_some())
+    }
+
     /// Whether bending stresses are known.
     pub fn has_stress(&self) -> bool {
         self.height.is_some() && self.second_moment.is_some()
