@@ -3,7 +3,7 @@
 use super::Planes;
 use super::build::WHOLE;
 use super::kernel::{Finish, TILE};
-use super::level::{Block, CubicLevel};
+use super::level::{Block, CubicLevel, row_times};
 use std::array::from_fn;
 
 impl CubicLevel {
@@ -32,7 +32,7 @@ impl CubicLevel {
                 for k in 0..width {
                     let Block { stiffness, free, .. } = &self.table[self.of[at + k] as usize];
                     for c in 0..3 {
-                        let sum: f32 = (0..3).map(|d| stiffness[c][d] * own[d][k]).sum();
+                        let sum = row_times(&stiffness[c], [own[0][k], own[1][k], own[2][k]]);
                         forces[c][k] = free[c] * (sum - pulls[c][k]);
                     }
                 }
@@ -111,7 +111,7 @@ impl Finish for Relax<'_> {
                 for k in 0..width {
                     let inverse = &self.level.table[self.level.of[at + k] as usize].inverse;
                     for c in 0..3 {
-                        let sum: f32 = (0..3).map(|d| inverse[c][d] * r[d][k]).sum();
+                        let sum = row_times(&inverse[c], [r[0][k], r[1][k], r[2][k]]);
                         out[c][k] += scale * sum;
                     }
                 }

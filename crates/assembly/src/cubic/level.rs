@@ -29,6 +29,12 @@ pub(super) struct Block {
 
 pub(super) type Mat32 = [[f32; 3]; 3];
 
+/// A row of a block times a vector. Written out, as what iterators call need not be inlined into kernels for wide registers.
+#[inline(always)]
+pub(super) fn row_times(row: &[f32; 3], v: [f32; 3]) -> f32 {
+    row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
+}
+
 /// The stiffness `Â` of a level, its diagonal blocks, and smoothing with their inverses.
 ///
 /// Vectors are those of the scaled unknowns `v = s u`, in three planes of the [`size`](Self::size) that the level tells, with zeros
@@ -193,7 +199,7 @@ impl CubicLevel {
             for (k, place) in self.grid().layer(layer).enumerate() {
                 let inverse = &self.table[self.of[place] as usize].inverse;
                 for c in 0..3 {
-                    let sum: f32 = (0..3).map(|d| inverse[c][d] * r[d][place]).sum();
+                    let sum = row_times(&inverse[c], [r[0][place], r[1][place], r[2][place]]);
                     out[c][k] += scale * sum;
                 }
             }

@@ -73,6 +73,7 @@ impl Weights {
     }
 
     /// Difference of the point numbers of the bonds of a class, >= 1.
+    #[inline]
     pub fn step(&self, class: usize) -> usize {
         self.classes[class].0
     }
@@ -88,12 +89,14 @@ impl Weights {
     }
 
     /// Weight of the bond of a class at a lower point; zero where it does not exist.
+    #[inline]
     pub fn weight(&self, class: usize, lower: usize) -> f64 {
         let (step, weight) = self.classes[class];
         if lower + step < self.count { weight * self.factor(class, lower) } else { 0.0 }
     }
 
     /// Weight of the bond of a class at a lower point, which exists, over that of the class.
+    #[inline]
     pub(super) fn factor(&self, class: usize, lower: usize) -> f64 {
         match self.chunks[lower / CHUNK] {
             PLAIN => 1.0,

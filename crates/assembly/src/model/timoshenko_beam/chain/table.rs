@@ -68,6 +68,7 @@ impl BondTable {
     }
 
     /// The bond of a class at a lower point.
+    #[inline]
     pub fn bond(&self, class: usize, lower: usize) -> &BeamBond {
         match self {
             Self::Uniform { classes, .. } => &classes[class],

@@ -158,6 +158,7 @@ impl StrainForm<'_> {
     }
 
     /// Distance of the middle of a bond from that of a cell under it.
+    #[inline(always)]
     fn arm(&self, class: usize, lower: usize, cell: usize) -> f64 {
         let (chain, step) = (self.chain, self.chain.weights.step(class));
         match &chain.bonds {
