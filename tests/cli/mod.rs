@@ -6,6 +6,7 @@ mod browser;
 mod clusters;
 mod commands;
 mod completions;
+mod diagrams;
 mod disk;
 mod faults;
 mod field_files;

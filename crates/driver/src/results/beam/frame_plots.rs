@@ -3,7 +3,7 @@
 use crate::case::FieldName;
 use crate::output::plot::{Label, Look, Picture, Shape, thin, write_picture};
 use crate::results::factor::magnification;
-use crate::run::beam::{BeamResult, LineFields};
+use crate::run::beam::{Along, BeamResult};
 use crate::scene::beam::{BeamScene, EndOfMember, FrameLayout};
 use std::io;
 use std::path::Path;
@@ -25,6 +25,7 @@ pub(super) fn write(
     title: &str,
 ) -> io::Result<()> {
     let (units, signs) = (scene.units, scene.case.drawing.signs);
+    let along = Along::new(scene, result);
     // A positive moment stretches the side of −w.
     let diagrams = [
         ("axial_force", FieldName::N, 1.0, units.label("axial force N", "N") + ", tension positive"),
@@ -38,7 +39,7 @@ pub(super) fn write(
     ];
     for (file, field, side, note) in diagrams {
         let sign = if field == FieldName::V { signs.of_shear() } else { 1.0 };
-        let Some(picture) = diagram(frame, result, field, (side, sign)) else { continue };
+        let Some(picture) = diagram(frame, (result, &along), field, (side, sign)) else { continue };
         let picture = Picture { title: title.into(), note, ..picture };
         write_picture(&folder.join(format!("{file}.svg")), &picture)?;
     }
@@ -79,32 +80,20 @@ pub(super) fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
     shapes
 }
 
-/// Both values of every point, where a field may jump, times a sign.
-pub(super) fn curve(
-    line: &LineFields,
-    result: &BeamResult,
-    field: FieldName,
-    (number, sign): (usize, f64),
-) -> Option<Vec<(f64, f64)>> {
-    let (left, right) = (result.left_values(field, number)?, result.values(field, number)?);
-    let pairs = line.x.iter().zip(left.iter().zip(right.iter()));
-    Some(pairs.flat_map(|(&x, (&left, &right))| [(x, sign * left), (x, sign * right)]).collect())
-}
-
 /// A section force times a sign across the members, on their left where `side` is 1 and the value positive.
 fn diagram(
     frame: &FrameLayout,
-    result: &BeamResult,
+    (result, along): (&BeamResult, &Along),
     field: FieldName,
     (side, sign): (f64, f64),
 ) -> Option<Picture> {
-    let [low, high] = result.extremes(field)?;
-    let largest = low.0.abs().max(high.0.abs());
+    let largest = along.largest(field)?;
     let unit = if largest > 0.0 { side * HEIGHT * size(frame) / largest } else { 0.0 };
     let most = (MOST_POINTS / result.lines.len()).max(8);
     let (mut shapes, mut labels) = (Vec::new(), Vec::new());
     for (number, line) in result.lines.iter().enumerate() {
-        let curve = curve(line, result, field, (number, sign))?;
+        let signed = |(x, value): (f64, f64)| (x, sign * value);
+        let curve: Vec<_> = along.curve(field, number)?.into_iter().map(signed).collect();
         let ([c, s], [x0, y0]) = (line.direction, line.origin);
         let on = |x: f64, across: f64| (x0 + c * x - s * across, y0 + s * x + c * across);
         let (first, last) = (curve[0].0, curve[curve.len() - 1].0);

@@ -1,11 +1,11 @@
 //! The picture of a frame in its report: its deformed shape, and its section forces on its members.
 
-use super::frame_plots::{HEIGHT, curve, size, skeleton};
+use super::frame_plots::{HEIGHT, size, skeleton};
 use crate::case::FieldName;
 use crate::output::plot::{Look, thin};
 use crate::output::report::{Part, Picture, Shape, View};
 use crate::results::factor::magnification;
-use crate::run::beam::BeamResult;
+use crate::run::beam::{Along, BeamResult};
 use crate::scene::beam::{BeamScene, FrameLayout};
 
 /// Points of a view that are drawn, about: those of all states share a file.
@@ -15,9 +15,10 @@ const MOST_POINTS: usize = 2400;
 pub(super) fn picture(scene: &BeamScene, frame: &FrameLayout, result: &BeamResult, share: usize) -> Picture {
     let most = (MOST_POINTS / share / result.lines.len()).max(8);
     let moment = scene.units.moment();
+    let along = Along::new(scene, result);
     let mut views = vec![deformed(scene, frame, result, most)];
     // A positive moment stretches the side of −w.
-    views.extend(forces(frame, result, (FieldName::M, 1.0), most).map(|shapes| View {
+    views.extend(forces(frame, (result, &along), (FieldName::M, 1.0), most).map(|shapes| View {
         name: "bending moment M".into(),
         unit: moment.into(),
         note: "on the side in tension".into(),
@@ -32,7 +33,7 @@ pub(super) fn picture(scene: &BeamScene, frame: &FrameLayout, result: &BeamResul
         ("axial force N", (FieldName::N, 1.0), "tension positive"),
     ];
     views.extend(rest.into_iter().filter_map(|(name, force, note)| {
-        let shapes = forces(frame, result, force, most)?;
+        let shapes = forces(frame, (result, &along), force, most)?;
         let (name, unit, note) = (name.into(), scene.units.force().into(), note.into());
         Some(View { name, unit, note, factor: 1.0, shapes, ..View::default() })
     }));
@@ -91,17 +92,18 @@ fn deformed(scene: &BeamScene, frame: &FrameLayout, result: &BeamResult, most: u
 /// A section force times a sign across the members, on their left where the value is positive; none if it was not recovered.
 fn forces(
     frame: &FrameLayout,
-    result: &BeamResult,
+    (result, along): (&BeamResult, &Along),
     (field, sign): (FieldName, f64),
     most: usize,
 ) -> Option<Vec<Shape>> {
-    let [low, high] = result.extremes(field)?;
-    let largest = low.0.abs().max(high.0.abs());
+    let largest = along.largest(field)?;
     let unit = if largest > 0.0 { HEIGHT * size(frame) / largest } else { 0.0 };
     let mut shapes = Vec::new();
     for (number, (line, member)) in result.lines.iter().zip(&frame.members).enumerate() {
         let ([c, s], [x0, y0]) = (line.direction, line.origin);
-        let points: Vec<(f64, f64)> = thin(&curve(line, result, field, (number, sign))?, most);
+        let signed = |(x, value): (f64, f64)| (x, sign * value);
+        let curve: Vec<_> = along.curve(field, number)?.into_iter().map(signed).collect();
+        let points = thin(&curve, most);
         shapes.push(Shape {
             name: member.name.clone(),
             part: Part::Area,

@@ -3,7 +3,7 @@
 use crate::case::{FieldName, Signs};
 use crate::output::plot::{Diagram, Series, Style};
 use crate::reference::{Field, Solution};
-use crate::run::beam::BeamResult;
+use crate::run::beam::{Along, BeamResult};
 use crate::scene::ExpectationKind;
 use crate::scene::beam::{BeamComparison, BeamScene};
 
@@ -21,15 +21,17 @@ pub(super) fn diagrams(scene: &BeamScene, result: &BeamResult) -> Vec<(&'static 
     let (length, moment) = (units.length(), units.moment());
     let signs = scene.case.drawing.signs;
     let fields = [
-        ("deflection", Field::W, units.label("deflection w", length)),
-        ("rotation", Field::Phi, "rotation φ [rad]".into()),
-        ("moment", Field::M, units.label("bending moment M", moment) + moment_note(signs)),
-        ("shear", Field::V, units.label("shear force V", "N") + signs.shear_note()),
+        ("deflection", (FieldName::W, Field::W), units.label("deflection w", length)),
+        ("rotation", (FieldName::Phi, Field::Phi), "rotation φ [rad]".into()),
+        ("moment", (FieldName::M, Field::M), units.label("bending moment M", moment) + moment_note(signs)),
+        ("shear", (FieldName::V, Field::V), units.label("shear force V", "N") + signs.shear_note()),
     ];
-    let diagram = |(file, field, y_label): (&'static str, Field, String)| {
+    let along = Along::new(scene, result);
+    let diagram = |(file, (name, field), y_label): (&'static str, (FieldName, Field), String)| {
         let sign = if field == Field::V { signs.of_shear() } else { 1.0 };
         let signed = |points: Vec<(f64, f64)>| points.into_iter().map(|(x, y)| (x, sign * y)).collect();
-        let points = signed(curve(result, field)?);
+        let curves: Option<Vec<_>> = (0..result.lines.len()).map(|line| along.curve(name, line)).collect();
+        let points = signed(curves?.concat());
         let mut series = Vec::new();
         if let Some(points) = closed_form(scene, result, field).map(signed) {
             series.push(Series { label: "closed form".into(), style: Style::Line, points });
@@ -50,27 +52,6 @@ fn moment_note(signs: Signs) -> &'static str {
         Signs::Structural => ", sagging positive",
         Signs::TensionSide => ", on the side in tension",
     }
-}
-
-/// A field along the beam; section forces take both values of a point where they jump.
-fn curve(result: &BeamResult, field: Field) -> Option<Vec<(f64, f64)>> {
-    let mut points = Vec::new();
-    for (line, fields) in result.lines.iter().enumerate() {
-        match field {
-            Field::W | Field::Phi => {
-                let name = if field == Field::W { FieldName::W } else { FieldName::Phi };
-                points.extend(fields.x.iter().copied().zip(result.values(name, line)?.iter().copied()));
-            }
-            Field::M | Field::V | Field::Energy => {
-                let forces = fields.forces.as_ref()?;
-                let cells = if field == Field::M { &forces.moment } else { &forces.shear };
-                for (cell, x) in cells.iter().zip(fields.x.windows(2)) {
-                    points.extend([(x[0], cell[0]), (x[1], cell[1])]);
-                }
-            }
-        }
-    }
-    Some(points)
 }
 
 /// The closed form of a check on this state, for the same field.

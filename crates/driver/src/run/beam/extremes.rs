@@ -40,6 +40,16 @@ impl<'a> Along<'a> {
         range.ends().map(|ends| ends.map(|(value, (line, x))| (value, line, x)))
     }
 
+    /// The largest magnitude of a field.
+    pub(crate) fn largest(&self, field: FieldName) -> Option<f64> {
+        self.extremes(field).map(|ends| ends.map(|(value, ..)| value.abs()).into_iter().fold(0.0, f64::max))
+    }
+
+    /// A field along a line as it is drawn: positions and values, both of a place where it jumps.
+    pub(crate) fn curve(&self, field: FieldName, line: usize) -> Option<Vec<(f64, f64)>> {
+        self.0[line].curve(field)
+    }
+
     /// Section forces per member of a frame, where they were recovered.
     pub(crate) fn member_forces(&self, frame: &FrameLayout) -> Vec<MemberForces> {
         let of = |(member, between): (&MemberLayout, &Between)| {
@@ -70,7 +80,7 @@ impl Between<'_> {
     }
 
     /// The cells that may rise above the largest value at a point, or fall below the smallest.
-    fn high_cells(&self, field: FieldName, [low, high]: [(f64, usize); 2]) -> Option<Vec<usize>> {
+    pub(super) fn high_cells(&self, field: FieldName, [low, high]: [(f64, usize); 2]) -> Option<Vec<usize>> {
         // Ends of so few cells tell nothing of what is between them.
         const FEW: usize = 8;
         // So many leave 1e-8 between points beside other cells than those at the extremes.

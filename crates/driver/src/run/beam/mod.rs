@@ -3,6 +3,7 @@
 mod between;
 mod collect;
 mod comparison;
+mod curve;
 mod eigenstrain;
 mod exact_state;
 mod extremes;
