@@ -83,6 +83,17 @@ impl LineFields {
         Some(0.5 * (of.bending * m * m + of.shear * v * v + stretched) / self.section.area.as_ref()?.value(s))
     }
 
+    /// Energy density at a point: of bonds some of which may be broken, which have the area at the start, or of the section forces.
+    fn energy_at(&self, point: usize) -> Option<f64> {
+        let x = self.x.at(point);
+        let Some(stored) = &self.stored else {
+            let (m, v, n) = self.forces.as_ref()?.at(point);
+            return self.energy_density([m, v, n], x, self.neighbour(point));
+        };
+        let area = self.section.area.as_ref()?;
+        Some(stored[point] * area.value(0.0) / area.value(x - self.from))
+    }
+
     /// The point that a field at a point looks at: the next one, at the last point the one before.
     fn neighbour(&self, point: usize) -> f64 {
         self.x.at(if point + 1 < self.x.len() { point + 1 } else { point - 1 })
@@ -128,12 +139,7 @@ impl BeamResult {
             // A positive moment bends the ends towards +w and shortens the fibres on that side.
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
-            FieldName::EnergyDensity => match &fields.stored {
-                Some(stored) => Some(stored[point]),
-                None => forces().and_then(|(m, v, n)| {
-                    fields.energy_density([m, v, n], fields.x.at(point), fields.neighbour(point))
-                }),
-            },
+            FieldName::EnergyDensity => fields.energy_at(point),
             FieldName::ReactionX => reaction(|r| r.force[0]),
             FieldName::ReactionForce | FieldName::ReactionY => reaction(|r| r.force[1]),
             FieldName::ReactionMoment => reaction(|r| r.moment),
@@ -149,7 +155,10 @@ impl BeamResult {
             FieldName::W => W,
             FieldName::Phi => PHI,
             FieldName::U => U,
-            FieldName::EnergyDensity => return fields.stored.as_deref(),
+            FieldName::EnergyDensity => {
+                fields.section.area.as_ref()?.uniform()?;
+                return fields.stored.as_deref();
+            }
             _ => return None,
         };
         self.record.u.get(plane * self.points + fields.first..)?.get(..fields.x.len())
