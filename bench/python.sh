@@ -8,7 +8,6 @@ venv=target/bench-venv
 for package in numpy scipy "maturin>=1.7,<2" scikit-fem openseespy; do
     "$venv/bin/pip" install --quiet "$package" || echo "notice: $package cannot be installed: what needs it is left out"
 done
-cargo build --release --quiet -p peristat-cli
-cargo build --release --quiet -p peristat --example many_beams
+cargo build --release --quiet -p peristat-cli -p peristat --bin peristat --example many_beams
 PATH="$PWD/$venv/bin:$PATH" "$venv/bin/pip" install --quiet --no-build-isolation ./crates/python
 exec "$venv/bin/python" -B bench/python.py "$@"

@@ -11,6 +11,7 @@ mod antiplane;
 mod arcs;
 mod axial;
 mod balance;
+mod beam_energy;
 mod beam_energy_density;
 mod beam_fracture;
 mod certificate;

@@ -22,16 +22,16 @@ impl Profile {
         match self {
             Self::Uniform(value) => *value,
             Self::Polynomial(coefficients) => coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c),
-            Self::Table(pairs) => {
-                let next = pairs.partition_point(|p| p[0] <= s);
-                match (next.checked_sub(1).map(|k| pairs[k]), pairs.get(next)) {
-                    // A mean, not a slope: near either pair nothing cancels.
-                    (Some(a), Some(b)) => (a[1] * (b[0] - s) + b[1] * (s - a[0])) / (b[0] - a[0]),
-                    (Some(a), None) => a[1],
-                    (None, Some(b)) => b[1],
-                    (None, None) => 0.0,
-                }
-            }
+            Self::Table(pairs) => on_piece(pairs, s, s),
+        }
+    }
+
+    /// Value at a distance from the start; on a jump the one on the side of `towards`.
+    pub fn beside(&self, s: f64, towards: f64) -> f64 {
+        match self {
+            // What is nearer to a jump is on it, up to rounding.
+            Self::Table(pairs) => on_piece(pairs, s + 1e-9 * (towards - s), s),
+            smooth => smooth.value(s),
         }
     }
 
@@ -76,6 +76,18 @@ impl Profile {
             Self::Table(pairs) => pairs,
             _ => &[],
         }
+    }
+}
+
+/// Value at `s` of the piece of a table that `inside` is on.
+fn on_piece(pairs: &[[f64; 2]], inside: f64, s: f64) -> f64 {
+    let next = pairs.partition_point(|p| p[0] <= inside);
+    match (next.checked_sub(1).map(|k| pairs[k]), pairs.get(next)) {
+        // A mean, not a slope: near either pair nothing cancels.
+        (Some(a), Some(b)) => (a[1] * (b[0] - s) + b[1] * (s - a[0])) / (b[0] - a[0]),
+        (Some(a), None) => a[1],
+        (None, Some(b)) => b[1],
+        (None, None) => 0.0,
     }
 }
 

@@ -71,8 +71,17 @@ impl SectionStiffness {
 
     /// Compliance of the section at a distance from the start.
     pub fn compliance(&self, s: f64) -> Compliance {
-        let (d, a, b) = (self.bending.value(s), self.axial.value(s), self.coupling.value(s));
-        let shear = 1.0 / self.shear.value(s);
+        self.compliance_by(|profile| profile.value(s))
+    }
+
+    /// The same; on a jump that on the side of `towards`.
+    pub fn compliance_beside(&self, s: f64, towards: f64) -> Compliance {
+        self.compliance_by(|profile| profile.beside(s, towards))
+    }
+
+    fn compliance_by(&self, value: impl Fn(&Profile) -> f64) -> Compliance {
+        let [d, a, b] = [&self.bending, &self.axial, &self.coupling].map(&value);
+        let shear = 1.0 / value(&self.shear);
         if b == 0.0 {
             return Compliance { axial: 1.0 / a, coupling: 0.0, bending: 1.0 / d, shear };
         }

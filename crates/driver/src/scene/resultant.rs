@@ -28,11 +28,11 @@ pub struct Counted {
 impl Resultant {
     /// Adds a force, N, at a position, m.
     pub fn add(&mut self, force: [f64; 3], at: [f64; 3]) {
-        for k in 0..3 {
+        for k in (0..3).filter(|k| force[*k] != 0.0) {
             let [next, last] = [(k + 1) % 3, (k + 2) % 3];
             self.force[k].add(force[k]);
-            self.moment[k].add_product(at[next], force[last]);
-            self.moment[k].add_product(-at[last], force[next]);
+            self.moment[next].add_product(at[last], force[k]);
+            self.moment[last].add_product(-at[next], force[k]);
         }
         let size = length(force);
         self.sizes[0] += size;

@@ -1,5 +1,6 @@
 //! Fields between two points of a line, as the exact element that joins them has them.
 
+use super::ends::Ends;
 use super::peak::Part;
 use super::{BeamResult, LineFields};
 use crate::case::FieldName;
@@ -56,20 +57,9 @@ impl<'a> Between<'a> {
         self.fields.x.at(point)
     }
 
-    /// As [`BeamResult::at_points`].
-    pub(super) fn at_points(&self, field: FieldName) -> Option<[(f64, usize); 2]> {
-        self.result.at_points(field, self.line)
-    }
-
-    /// Values of a field at the ends of all cells, seen from inside.
-    pub(super) fn all_ends(&self, field: FieldName) -> Option<Vec<[f64; 2]>> {
-        match self.result.cells(field, self.line) {
-            Some(cells) => Some(cells.into_owned()),
-            None => {
-                let values = self.result.values(field, self.line)?;
-                Some(values.windows(2).map(|ends| [ends[0], ends[1]]).collect())
-            }
-        }
+    /// Values of a field at the ends of all cells.
+    pub(super) fn ends(&self, field: FieldName) -> Option<Ends<'a>> {
+        self.result.ends(field, self.line)
     }
 
     /// Number of cells.

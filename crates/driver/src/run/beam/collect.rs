@@ -1,11 +1,11 @@
 //! From a solved state to its result.
 
-use super::{BeamResult, LineFields, LinePoints, eigenstrain, reaction};
+use super::{BeamResult, LineFields, LinePoints, eigenstrain, reaction, twin};
 use crate::case::FieldName;
 use crate::run::workspace::StateSolution;
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::beam::{BeamScene, State, resultant, resultant_of};
-use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid, TimoshenkoBeam};
+use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid, Inside, TimoshenkoBeam};
 use peristat_assembly::stiffness::Spring;
 
 /// Collects the result of a state.
@@ -50,7 +50,8 @@ pub(super) fn of_beam(
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
-    certificate.energy += eigenstrain::energy(&state.eigenstrains, beam, &u);
+    certificate.energy +=
+        eigenstrain::energy(&state.eigenstrains, beam, &u) + between_points(scene, &state.loads);
     // A strain form whose forces on points nobody asks for has none.
     if !load.is_empty() {
         let resultants = resultants(scene, (beam, springs), state, (load, &solution.held), &u);
@@ -71,6 +72,15 @@ pub(super) fn of_beam(
         points: n,
         fields,
     }
+}
+
+/// Energy of the loads between points, which the bonds of a beam that is exact lack. What others store is what their bonds do.
+fn between_points(scene: &BeamScene, loads: &BeamLoads) -> f64 {
+    if scene.fracture.is_some() || !twin::departures(scene).is_empty() {
+        return 0.0;
+    }
+    let chains = scene.beam.chains().iter().enumerate();
+    chains.map(|(number, chain)| Inside::new(loads, number, chain).stored(scene.has_axial)).sum()
 }
 
 /// Resultants of the loads of a state, and of what holds the beam.

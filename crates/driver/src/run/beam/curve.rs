@@ -10,16 +10,17 @@ impl Between<'_> {
     /// A field along the line: both ends of every cell, the extremes, and values between points where these are few. None where it
     /// was not recovered or does not exist.
     pub(super) fn curve(&self, field: FieldName) -> Option<Vec<(f64, f64)>> {
-        let ends = self.all_ends(field)?;
-        let mut high = self.high_cells(field, self.at_points(field)?)?.into_iter().peekable();
+        let ends = self.ends(field)?;
+        let mut high = self.high_cells(field, &ends, ends.extremes()?).into_iter().peekable();
         let pieces = PIECES.div_ceil(self.cells());
+        let ends = ends.all();
         let mut points = Vec::with_capacity(2 * ends.len());
-        for (number, [left, right]) in ends.into_iter().enumerate() {
+        for (number, [left, right]) in ends.iter().enumerate() {
             let is_high = high.next_if_eq(&number).is_some();
             if is_high || pieces > 1 {
                 self.cell(number).draw(field, (pieces, is_high), &mut points)?;
             } else {
-                points.extend([(self.position(number), left), (self.position(number + 1), right)]);
+                points.extend([(self.position(number), *left), (self.position(number + 1), *right)]);
             }
         }
         Some(points)

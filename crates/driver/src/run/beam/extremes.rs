@@ -2,10 +2,12 @@
 
 use super::BeamResult;
 use super::between::Between;
+use super::ends::Ends;
 use crate::case::FieldName;
-use crate::run::{Range, scan};
+use crate::run::Range;
 use crate::scene::beam::{BeamScene, FrameLayout, MemberLayout};
 use serde::{Deserialize, Serialize};
+use std::iter::once;
 
 /// Smallest and largest section forces of a member.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -64,10 +66,11 @@ impl<'a> Along<'a> {
 impl Between<'_> {
     /// Smallest and largest value of a field and their positions, at points and between them.
     fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
-        let found = self.at_points(field)?;
+        let ends = self.ends(field)?;
+        let found = ends.extremes()?;
         let mut range = Range::default();
         range.take(found.map(|(value, point)| (value, self.position(point))));
-        for cell in self.high_cells(field, found)?.into_iter().map(|number| self.cell(number)) {
+        for cell in self.high_cells(field, &ends, found).into_iter().map(|number| self.cell(number)) {
             for part in cell.parts(field)? {
                 part.corners().into_iter().for_each(|found| range.take([found; 2]));
                 if !cell.is_straight(field) {
@@ -80,7 +83,12 @@ impl Between<'_> {
     }
 
     /// The cells that may rise above the largest value at a point, or fall below the smallest.
-    pub(super) fn high_cells(&self, field: FieldName, [low, high]: [(f64, usize); 2]) -> Option<Vec<usize>> {
+    pub(super) fn high_cells(
+        &self,
+        field: FieldName,
+        ends: &Ends<'_>,
+        [low, high]: [(f64, usize); 2],
+    ) -> Vec<usize> {
         // Ends of so few cells tell nothing of what is between them.
         const FEW: usize = 8;
         // So many leave 1e-8 between points beside other cells than those at the extremes.
@@ -88,21 +96,22 @@ impl Between<'_> {
         let all = self.cells();
         let may_turn = |cell: &usize| self.cell(*cell).may_turn(field);
         if all <= FEW {
-            return Some((0..all).filter(may_turn).collect());
+            return (0..all).filter(may_turn).collect();
         }
         if all > MANY {
             let beside = |(_, point): (f64, usize)| point.saturating_sub(1)..(point + 1).min(all);
-            return Some(beside(low).chain(beside(high)).filter(may_turn).collect());
+            return beside(low).chain(beside(high)).filter(may_turn).collect();
         }
-        let ends = self.all_ends(field)?;
-        let rises: Vec<f64> = ends.iter().map(|[a, b]| (b - a).abs()).collect();
-        let is_high = |&number: &usize| {
-            // A cell rises above its ends by less than these differ, or those of the cells beside it.
-            let beside = rises[number.saturating_sub(1)].max(rises[(number + 1).min(all - 1)]);
-            let (most, [a, b]) = (rises[number].max(beside), ends[number]);
-            a.max(b) + most >= high.0 || a.min(b) - most <= low.0
+        // A cell rises above its ends by less than these differ, or those of the cells beside it.
+        let ends = ends.all();
+        let rises = ends.iter().map(|[a, b]| (b - a).abs());
+        let rises: Vec<f64> = once(0.0).chain(rises).chain(once(0.0)).collect();
+        let is_high = |([a, b], rises): (&[f64; 2], &[f64])| {
+            let most = rises[0].max(rises[1]).max(rises[2]);
+            a.max(*b) + most >= high.0 || a.min(*b) - most <= low.0
         };
-        Some((0..all).filter(is_high).filter(may_turn).collect())
+        let cells = ends.iter().zip(rises.windows(3)).map(is_high).enumerate();
+        cells.filter_map(|(cell, is_high)| is_high.then_some(cell)).filter(may_turn).collect()
     }
 }
 
@@ -112,18 +121,8 @@ impl BeamResult {
         let mut range = Range::default();
         for line in 0..self.lines.len() {
             let x = &self.lines[line].x;
-            range.take(self.at_points(field, line)?.map(|(value, point)| (value, x.at(point))));
+            range.take(self.ends(field, line)?.extremes()?.map(|(value, point)| (value, x.at(point))));
         }
         range.ends()
-    }
-
-    /// Smallest and largest value of a field at the points of a line, with these; both sides of a point where it may jump.
-    pub(super) fn at_points(&self, field: FieldName, line: usize) -> Option<[(f64, usize); 2]> {
-        if let Some(cells) = self.cells(field, line) {
-            let values = cells.as_flattened();
-            return Some(scan::extremes(values)?.map(|k| (values[k], k / 2 + k % 2)));
-        }
-        let values = self.values(field, line)?;
-        Some(scan::extremes(&values)?.map(|k| (values[k], k)))
     }
 }

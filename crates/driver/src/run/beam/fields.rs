@@ -6,7 +6,7 @@ use super::reaction::{HeldForce, JointReaction, Reaction};
 use crate::case::FieldName;
 use crate::run::StateRecord;
 use crate::scene::beam::SectionAlong;
-use peristat_assembly::material::SectionStiffness;
+use peristat_assembly::material::{Compliance, SectionStiffness};
 use peristat_assembly::model::timoshenko_beam::{PHI, SectionForces, U, W};
 use std::borrow::Cow;
 
@@ -53,34 +53,71 @@ pub struct BeamResult {
     pub(super) fields: &'static [FieldName],
 }
 
+/// What makes stresses of section forces.
+struct Fibres {
+    /// At the extreme fibre on the side of −w, if it is known.
+    per_moment: Option<f64>,
+    area: Option<f64>,
+}
+
+impl Fibres {
+    fn stress(&self, sign: f64, [m, n]: [f64; 2]) -> Option<f64> {
+        let bending = sign * m * self.per_moment?;
+        let stretching = if n == 0.0 { 0.0 } else { n / self.area? };
+        Some(bending + stretching)
+    }
+}
+
+/// What makes energy densities of section forces.
+struct Yielding {
+    of: Compliance,
+    area: f64,
+}
+
+impl Yielding {
+    /// `(M φ' + V (w' − φ) + N u') / 2A`.
+    fn energy_density(&self, [m, v, n]: [f64; 3]) -> f64 {
+        let of = &self.of;
+        // The axial stiffness of what has no axial forces may not have been given.
+        let stretched = if n == 0.0 { 0.0 } else { n * (of.axial * n + 2.0 * of.coupling * m) };
+        0.5 * (of.bending * m * m + of.shear * v * v + stretched) / self.area
+    }
+}
+
 impl LineFields {
     /// Position of a point in the plane.
     pub fn position(&self, point: usize) -> [f64; 2] {
         [0, 1].map(|k| self.origin[k] + self.x.at(point) * self.direction[k])
     }
 
-    /// The distance from the start of a position, on a jump of the section on the side of `towards`.
-    fn beside(&self, x: f64, towards: f64) -> f64 {
-        x - self.from + 1e-9 * (towards - x)
-    }
-
     /// Normal stress at an extreme fibre, that on the side of −w if `sign` is 1, under a moment and an axial force at a
     /// position of the line; on a jump of the section that on the side of `towards`.
-    pub(super) fn stress(&self, sign: f64, [m, n]: [f64; 2], x: f64, towards: f64) -> Option<f64> {
-        let bending = sign * m * self.section.stress_per_moment(x - self.from, towards - self.from)?;
-        let stretching =
-            if n == 0.0 { 0.0 } else { n / self.section.area.as_ref()?.value(self.beside(x, towards)) };
-        Some(bending + stretching)
+    pub(super) fn stress(&self, sign: f64, forces: [f64; 2], x: f64, towards: f64) -> Option<f64> {
+        self.fibres(x, towards).stress(sign, forces)
     }
 
-    /// Strain energy density `(M φ' + V (w' − φ) + N u') / 2A` under section forces M, V and N at a position of the line; on a jump
-    /// of the section that on the side of `towards`. None where the area is not known.
-    pub(super) fn energy_density(&self, [m, v, n]: [f64; 3], x: f64, towards: f64) -> Option<f64> {
-        let s = self.beside(x, towards);
-        let of = self.stiffness.compliance(s);
-        // The axial stiffness of what has no axial forces may not have been given.
-        let stretched = if n == 0.0 { 0.0 } else { n * (of.axial * n + 2.0 * of.coupling * m) };
-        Some(0.5 * (of.bending * m * m + of.shear * v * v + stretched) / self.section.area.as_ref()?.value(s))
+    fn fibres(&self, x: f64, towards: f64) -> Fibres {
+        let [s, towards] = [x, towards].map(|x| x - self.from);
+        let area = self.section.area.as_ref().map(|area| area.beside(s, towards));
+        Fibres { per_moment: self.section.stress_per_moment(s, towards), area }
+    }
+
+    /// Strain energy density under section forces M, V and N at a position of the line; on a jump of the section that on the side of
+    /// `towards`. None where the area is not known.
+    pub(super) fn energy_density(&self, forces: [f64; 3], x: f64, towards: f64) -> Option<f64> {
+        Some(self.yielding(x, towards)?.energy_density(forces))
+    }
+
+    fn yielding(&self, x: f64, towards: f64) -> Option<Yielding> {
+        let [s, towards] = [x, towards].map(|x| x - self.from);
+        let area = self.section.area.as_ref()?.beside(s, towards);
+        Some(Yielding { of: self.stiffness.compliance_beside(s, towards), area })
+    }
+
+    /// Whether one section is that of the whole line.
+    fn is_even(&self) -> bool {
+        let Self { section, stiffness, .. } = self;
+        section.has_uniform_area() && section.has_uniform_stress() && !stiffness.varies()
     }
 
     /// Energy density at a point: of bonds some of which may be broken, which have the area at the start, or of the section forces.
@@ -92,6 +129,25 @@ impl LineFields {
         };
         let area = self.section.area.as_ref()?;
         Some(stored[point] * area.value(0.0) / area.value(x - self.from))
+    }
+
+    /// What follows from the section forces `at` both sides of all cells and from the section there, which an even line has one of.
+    fn at_ends<S>(
+        &self,
+        section: impl Fn(f64, f64) -> Option<S>,
+        at: impl Fn(usize, usize) -> [f64; 3],
+        of: impl Fn(&S, [f64; 3]) -> Option<f64>,
+    ) -> Option<Cow<'_, [[f64; 2]]>> {
+        let cells = 0..self.x.len() - 1;
+        if self.is_even() {
+            let section = section(self.x.at(0), self.x.at(1))?;
+            return cells.map(|k| Some([of(&section, at(k, 0))?, of(&section, at(k, 1))?])).collect();
+        }
+        let value = |k: usize, side: usize| {
+            let [x, towards] = [k + side, k + 1 - side].map(|point| self.x.at(point));
+            of(&section(x, towards)?, at(k, side))
+        };
+        cells.map(|k| Some([value(k, 0)?, value(k, 1)?])).collect()
     }
 
     /// The point that a field at a point looks at: the next one, at the last point the one before.
@@ -203,14 +259,13 @@ impl BeamResult {
             return None;
         }
         let axial = |cell: usize| forces.axial.get(cell).copied().unwrap_or([0.0; 2]);
-        let follow = |of: &dyn Fn([f64; 3], f64, f64) -> Option<f64>| {
-            let cell = |(k, x): (usize, &[f64])| {
-                let (m, v, n) = (forces.moment[k], forces.shear[k], axial(k));
-                Some([of([m[0], v[0], n[0]], x[0], x[1])?, of([m[1], v[1], n[1]], x[1], x[0])?])
-            };
-            fields.x.windows(2).enumerate().map(cell).collect()
+        let at = |cell: usize, side: usize| {
+            [forces.moment[cell][side], forces.shear[cell][side], axial(cell)[side]]
         };
-        let stress = |sign: f64| follow(&|[m, _, n], x, towards| fields.stress(sign, [m, n], x, towards));
+        let stress = |sign: f64| {
+            let of = |fibres: &Fibres, [m, _, n]: [f64; 3]| fibres.stress(sign, [m, n]);
+            fields.at_ends(|x, towards| Some(fields.fibres(x, towards)), at, of)
+        };
         match field {
             FieldName::M => Some((&forces.moment).into()),
             FieldName::V => Some((&forces.shear).into()),
@@ -218,7 +273,8 @@ impl BeamResult {
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
             FieldName::EnergyDensity if fields.stored.is_none() => {
-                follow(&|forces, x, towards| fields.energy_density(forces, x, towards))
+                let of = |yielding: &Yielding, forces: [f64; 3]| Some(yielding.energy_density(forces));
+                fields.at_ends(|x, towards| fields.yielding(x, towards), at, of)
             }
             _ => None,
         }

@@ -5,6 +5,7 @@ mod collect;
 mod comparison;
 mod curve;
 mod eigenstrain;
+mod ends;
 mod exact_state;
 mod extremes;
 mod fields;

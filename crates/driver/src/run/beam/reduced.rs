@@ -5,7 +5,7 @@ use super::between::Between;
 use crate::case::{FieldName, Reduction};
 use crate::run::reducer::{Reduced, Reducer};
 use crate::scene::beam::BeamScene;
-use peristat_assembly::quadrature::GAUSS_3;
+use peristat_assembly::quadrature::GAUSS;
 use std::ops::Range;
 
 /// What is made of a field along some lines, at their points and between them; the place is a line and a position on it. None
@@ -24,8 +24,8 @@ pub(super) fn read(
                 let value = |x| cell.value(field, x, true);
                 if !of.is_extreme() {
                     let [a, b] = part.ends;
-                    // Exact to the fifth degree, which a deflection has under a straight load.
-                    for (q, share) in GAUSS_3 {
+                    // Exact for the energy density under straight loads, of the sixth degree, and to rounding under waves.
+                    for (q, share) in GAUSS {
                         let x = part.at(q);
                         reducer.take(value(x)?, (line, x), |_| share * (b - a));
                     }

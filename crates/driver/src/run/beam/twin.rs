@@ -10,10 +10,6 @@ use crate::scene::beam::BeamScene;
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor};
 use std::path::Path;
 
-/// Points of a body up to which its cells are halved where bonds are short: the energy of a load within a cell, which no
-/// bond sees, is then a quarter of that of the beam. That of more cells is nothing.
-const FEW: usize = 1 << 16;
-
 /// Keys of a case that others stand beside.
 const BOND_LAW: &str = "bond_law";
 const END_TREATMENT: &str = "end_treatment";
@@ -147,13 +143,10 @@ impl Twin {
             _ => &mut [],
         };
         let mut shared = vec![[0, 1]; scene.beam.chains().len()];
-        let is_small = scene.beam.points() <= FEW;
-        for ((line, chain), shared) in lines.iter_mut().zip(scene.beam.chains()).zip(&mut shared) {
-            let on_cells = line.grid == Grid::Cells;
-            let is_short = is_small && chain.weights.classes() < 2 && line.grading.is_none();
-            if on_cells || is_short {
+        for (line, shared) in lines.iter_mut().zip(&mut shared) {
+            if line.grid == Grid::Cells {
                 (line.grid, line.cells) = (Grid::Nodes, 2 * line.cells);
-                *shared = [usize::from(on_cells), 2];
+                *shared = [1, 2];
             }
         }
         Ok(Self { scene: resolved(case, max_memory)?, shared })

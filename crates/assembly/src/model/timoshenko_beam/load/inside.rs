@@ -10,10 +10,12 @@ use nalgebra::{Matrix3, Vector3};
 /// The inside of the cells of a line under the loads that its bonds carry.
 #[derive(Debug)]
 pub struct Inside<'a> {
-    carried: Carried<'a>,
-    chain: &'a Chain,
+    pub(super) carried: Carried<'a>,
+    pub(super) chain: &'a Chain,
     /// Distances from the start at which the stiffness or the loads are not smooth, or waves of loads turn, in order.
     breaks: Vec<f64>,
+    /// The compliance, where nothing varies or couples.
+    pub(super) plain: Option<Compliance>,
 }
 
 impl<'a> Inside<'a> {
@@ -24,7 +26,9 @@ impl<'a> Inside<'a> {
         let waves = carried.distributed.iter().flat_map(|load| load.zeros_of_waves());
         breaks.extend(waves.map(|x| x - chain.line().from));
         breaks.sort_by(f64::total_cmp);
-        Self { carried, chain, breaks }
+        let stiffness = &chain.line().stiffness;
+        let plain = stiffness.plain().map(|_| stiffness.compliance(0.0));
+        Self { carried, chain, breaks, plain }
     }
 
     /// Whether what is spread across the line is known to act in one direction all over `[a, b]`, m, where it has no breaks.
@@ -58,9 +62,8 @@ impl<'a> Inside<'a> {
     /// The exact element on `[a, b]` whose ends have `(w, φ, u)`; without axial unknowns `u` is zero and no force acts along it.
     pub fn element(&self, [a, b]: [f64; 2], ends: [[f64; 3]; 2], has_axial: bool) -> Element<'_> {
         let [left, right] = ends;
-        let line = self.chain.line();
-        let is_smooth = line.stiffness.plain().is_some() && self.breaks([a, b]).next().is_none();
-        let section = is_smooth.then(|| line.stiffness.compliance(a - line.from));
+        let section = self.plain.filter(|_| self.breaks([a, b]).next().is_none());
+        let is_smooth = section.is_some();
         let mut element =
             Element { inside: self, span: [a, b], start: left, forces: [0.0; 3], has_axial, section };
         let chord = right[0] - left[0] - 0.5 * (b - a) * (left[1] + right[1]);
@@ -106,23 +109,43 @@ impl Element<'_> {
         [w + phi * (x - a) + (x - 0.5 * (a + b)) * turn + chord, phi + turn, u + stretch]
     }
 
-    /// `(∫ ε, ∫ κ, ∫ γ − κ (s − s_m))` from the start to `x` under the closing forces, and maybe the loads: with the middle
-    /// s_m, M(s) = M − V (s − s_m) + ∫ (s − t) q − ∫ c, V(s) = V − ∫ q, N(s) = N − ∫ p.
+    /// Its energy, J.
+    pub(super) fn energy(&self) -> f64 {
+        let [a, b] = self.span;
+        let density = |_: f64, c: &Compliance, [n, m, v]: [f64; 3]| {
+            let axial = if self.has_axial { n * (c.axial * n + 2.0 * c.coupling * m) } else { 0.0 };
+            [0.5 * (c.bending * m * m + c.shear * v * v + axial)]
+        };
+        let [energy] = self.integrate(&GAUSS, &self.parts([a, b]), self.forces, true, density);
+        energy
+    }
+
+    /// The parts of what lies between two positions in which the stiffness and the loads are smooth.
+    fn parts(&self, [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+        pieces(self.inside.chain.line(), &self.inside.breaks, from, to)
+    }
+
+    /// `(∫ ε, ∫ κ, ∫ γ − κ (s − s_m))` from the start to `x` under the closing forces, and maybe the loads.
     fn deformations(&self, x: f64, forces: [f64; 3], loaded: bool) -> [f64; 3] {
         let loaded = loaded && !self.inside.carried.is_empty();
-        match self.section {
-            Some(section) => {
-                let closed = self.of_forces(x, forces, &section);
-                let of_loads =
-                    if loaded { self.integrate(&[(self.span[0], x)], [0.0; 3], true) } else { [0.0; 3] };
-                [0, 1, 2].map(|k| closed[k] + of_loads[k])
-            }
-            None => {
-                let inside = self.inside;
-                let parts = pieces(inside.chain.line(), &inside.breaks, self.span[0], x);
-                self.integrate(&parts, forces, loaded)
-            }
+        let [a, b] = self.span;
+        let middle = 0.5 * (a + b);
+        let rates = |s: f64, c: &Compliance, [n, m, v]: [f64; 3]| {
+            let curvature = c.bending * m + c.coupling * n;
+            let stretch = if self.has_axial { c.coupling * m + c.axial * n } else { 0.0 };
+            [stretch, curvature, c.shear * v - curvature * (s - middle)]
+        };
+        let Some(section) = self.section else {
+            return self.integrate(&GAUSS, &self.parts([a, x]), forces, loaded, rates);
+        };
+        let closed = self.of_forces(x, forces, &section);
+        if !loaded {
+            return closed;
         }
+        // The moments of straight loads and parabolas have at most the fourth degree.
+        let rule: &[(f64, f64)] = if self.inside.carried.are_polynomials() { &GAUSS_3 } else { &GAUSS };
+        let of_loads = self.integrate(rule, &[(a, x)], [0.0; 3], true, rates);
+        [0, 1, 2].map(|k| closed[k] + of_loads[k])
     }
 
     /// Deformations under the closing forces alone, of one section.
@@ -136,25 +159,26 @@ impl Element<'_> {
         [stretch, turn, section.shear * v * d - section.bending * (m * first - v * second)]
     }
 
-    fn integrate(&self, parts: &[(f64, f64)], [n, m, v]: [f64; 3], loaded: bool) -> [f64; 3] {
+    /// Integrates what is given of a position, its compliance and its section forces `(N, M, V)`. Under closing forces, and maybe the
+    /// loads, these are, with the middle s_m: M(s) = M − V (s − s_m) + ∫ (s − t) q − ∫ c, V(s) = V − ∫ q, N(s) = N − ∫ p.
+    fn integrate<const N: usize>(
+        &self,
+        rule: &[(f64, f64)],
+        parts: &[(f64, f64)],
+        [n, m, v]: [f64; 3],
+        loaded: bool,
+        of: impl Fn(f64, &Compliance, [f64; 3]) -> [f64; N],
+    ) -> [f64; N] {
         let (line, [a, b]) = (self.inside.chain.line(), self.span);
         let middle = 0.5 * (a + b);
-        // Of one section, the moments of straight loads and parabolas have at most the fourth degree.
-        let few = self.section.is_some() && self.inside.carried.are_polynomials();
-        let rule: &[(f64, f64)] = if few { &GAUSS_3 } else { &GAUSS };
-        let mut sum = [0.0; 3];
+        let mut sum = [0.0; N];
         for &(from, to) in parts {
             for &(z, g) in rule {
                 let (s, width) = (from + z * (to - from), g * (to - from));
                 let c = self.section.unwrap_or_else(|| line.stiffness.compliance(s - line.from));
                 let [q, lever, p] = if loaded { self.inside.carried([a, s], true) } else { [0.0; 3] };
-                let (axial, moment, shear) = (n - p, m - v * (s - middle) + lever, v - q);
-                let curvature = c.bending * moment + c.coupling * axial;
-                if self.has_axial {
-                    sum[0] += width * (c.coupling * moment + c.axial * axial);
-                }
-                sum[1] += width * curvature;
-                sum[2] += width * (c.shear * shear - curvature * (s - middle));
+                let rates = of(s, &c, [n - p, m - v * (s - middle) + lever, v - q]);
+                (0..N).for_each(|k| sum[k] += width * rates[k]);
             }
         }
         sum

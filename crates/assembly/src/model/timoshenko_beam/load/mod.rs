@@ -9,6 +9,7 @@ mod fixed_end;
 mod inside;
 mod nodal;
 mod span;
+mod stored;
 
 pub(super) use fixed_end::FixedEnd;
 pub use inside::{Element, Inside};

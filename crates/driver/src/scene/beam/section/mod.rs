@@ -28,10 +28,7 @@ impl SectionAlong {
     /// Stress per moment at the extreme fibre on the side of −w, at a distance from the start; on a jump that on the
     /// side of `towards`.
     pub fn stress_per_moment(&self, s: f64, towards: f64) -> Option<f64> {
-        let value = |profile: &Profile| match profile {
-            Profile::Table(_) => profile.value(s + 1e-9 * (towards - s)),
-            smooth => smooth.value(s),
-        };
+        let value = |profile: &Profile| profile.beside(s, towards);
         Some(0.5 * value(self.height.as_ref()?) / value(self.second_moment.as_ref()?))
     }
 
