@@ -2,6 +2,7 @@
 
 use super::{BeamLoads, Distributed, Intensity, PointAction};
 use crate::model::timoshenko_beam::Chain;
+use std::borrow::Cow;
 
 /// Loads that bonds carry.
 #[derive(Debug)]
@@ -38,12 +39,27 @@ impl<'a> Carried<'a> {
             (0..3).for_each(|k| sum[k] += part[k]);
         }
         let slack = 1e-9 * (b - a);
-        for p in &self.point {
-            if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
-                sum[0] += p.force;
-                sum[1] += p.force * (b - p.x) - p.moment;
-                sum[2] += p.axial;
-            }
+        let points = self.concentrated([a + slack, if with_end { b + slack } else { b - slack }], b);
+        [0, 1, 2].map(|k| sum[k] + points[k])
+    }
+
+    /// The distributed loads over `[a, b]`, m, and others that do not act there.
+    pub(super) fn over(&self, a: f64, b: f64) -> Over<'_> {
+        // So few are not worth a list.
+        const FEW: usize = 4;
+        if self.distributed.len() <= FEW {
+            return Over(Cow::Borrowed(&self.distributed));
+        }
+        Over(self.distributed.iter().filter(|load| load.from < b && load.to > a).copied().collect())
+    }
+
+    /// The resultant, as of [`Self::resultant`], at the section `x` of the concentrated loads between `a` and `b`, m.
+    pub(super) fn concentrated(&self, [a, b]: [f64; 2], x: f64) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for p in self.point.iter().filter(|p| p.x > a && p.x < b) {
+            sum[0] += p.force;
+            sum[1] += p.force * (x - p.x) - p.moment;
+            sum[2] += p.axial;
         }
         sum
     }
@@ -57,5 +73,21 @@ impl<'a> Carried<'a> {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         breaks
+    }
+}
+
+/// Distributed loads over a part of a line.
+#[derive(Debug)]
+pub(super) struct Over<'a>(Cow<'a, [&'a Distributed]>);
+
+impl Over<'_> {
+    /// The resultant, as of [`Carried::resultant`], at the section `b` from that at `a` before it, m.
+    pub(super) fn add_to(&self, [force, lever, axial]: [f64; 3], a: f64, b: f64) -> [f64; 3] {
+        let mut sum = [force, lever + force * (b - a), axial];
+        for load in self.0.iter() {
+            let part = load.resultant(a, b);
+            (0..3).for_each(|k| sum[k] += part[k]);
+        }
+        sum
     }
 }

@@ -171,15 +171,21 @@ impl Element<'_> {
     ) -> [f64; N] {
         let (line, [a, b]) = (self.inside.chain.line(), self.span);
         let middle = 0.5 * (a + b);
-        let mut sum = [0.0; N];
+        let (mut sum, mut before) = ([0.0; N], [0.0; 3]);
         for &(from, to) in parts {
+            let carried = &self.inside.carried;
+            let over = carried.over(from, to);
+            // Concentrated loads are at ends of parts, up to rounding.
+            let points = carried.concentrated([a + 1e-9 * (b - a), 0.5 * (from + to)], from);
+            let start = [0, 1, 2].map(|k| before[k] + points[k]);
             for &(z, g) in rule {
                 let (s, width) = (from + z * (to - from), g * (to - from));
                 let c = self.section.unwrap_or_else(|| line.stiffness.compliance(s - line.from));
-                let [q, lever, p] = if loaded { self.inside.carried([a, s], true) } else { [0.0; 3] };
+                let [q, lever, p] = if loaded { over.add_to(start, from, s) } else { [0.0; 3] };
                 let rates = of(s, &c, [n - p, m - v * (s - middle) + lever, v - q]);
                 (0..N).for_each(|k| sum[k] += width * rates[k]);
             }
+            before = over.add_to(before, from, to);
         }
         sum
     }
