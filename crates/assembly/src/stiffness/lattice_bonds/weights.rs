@@ -95,6 +95,20 @@ impl Weights {
         if lower + step < self.count { weight * self.factor(class, lower) } else { 0.0 }
     }
 
+    /// Sum of the weights of the bonds of a class.
+    pub fn sum(&self, class: usize) -> f64 {
+        let (step, weight) = self.classes[class];
+        let bonds = self.count.saturating_sub(step);
+        let of_chunk = |first: usize| {
+            let end = (first + CHUNK).min(bonds);
+            match self.chunks[first / CHUNK] {
+                PLAIN => (end - first) as f64,
+                _ => (first..end).map(|lower| self.factor(class, lower)).sum(),
+            }
+        };
+        weight * (0..bonds).step_by(CHUNK).map(of_chunk).sum::<f64>()
+    }
+
     /// Weight of the bond of a class at a lower point, which exists, over that of the class.
     #[inline]
     pub(super) fn factor(&self, class: usize, lower: usize) -> f64 {

@@ -20,7 +20,7 @@ impl Inside<'_> {
             let bonds = 0..weights.points().saturating_sub(step);
             let of = |lower: usize| self.within([lower, lower + step].map(|k| chain.position(k)), has_axial);
             if !bonds.is_empty() && self.are_alike() {
-                return of(0) * bonds.map(|lower| weights.weight(class, lower)).sum::<f64>();
+                return of(0) * weights.sum(class);
             }
             bonds.map(|lower| weights.weight(class, lower) * of(lower)).sum()
         };
