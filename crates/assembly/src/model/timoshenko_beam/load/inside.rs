@@ -13,7 +13,7 @@ pub struct Inside<'a> {
     pub(super) carried: Carried<'a>,
     pub(super) chain: &'a Chain,
     /// Distances from the start at which the stiffness or the loads are not smooth, or waves of loads turn, in order.
-    breaks: Vec<f64>,
+    pub(super) breaks: Vec<f64>,
     /// The compliance, where nothing varies or couples.
     pub(super) plain: Option<Compliance>,
 }

@@ -3,10 +3,13 @@
 
 use super::{Along, Carried, Distributed, Inside, Intensity};
 use crate::material::Compliance;
+use std::ops::Range;
 
 /// Bonds of a line, or of a half wave of its loads, from which on these are straight within a bond and the stiffness is that of its
 /// middle: what bonds store by themselves is then less than a millionth, and this a millionth of it.
 const FINE: f64 = 1e3;
+/// Bonds that are not looked at one by one, if there is another way.
+const MANY: usize = 256;
 
 impl Inside<'_> {
     /// Energy of the loads within the bonds of the line, J.
@@ -14,17 +17,74 @@ impl Inside<'_> {
         if self.carried.is_empty() {
             return 0.0;
         }
-        let (chain, weights) = (self.chain, self.chain.intact_weights());
+        let weights = self.chain.intact_weights();
         let of_class = |class: usize| {
-            let step = weights.step(class);
-            let bonds = 0..weights.points().saturating_sub(step);
-            let of = |lower: usize| self.within([lower, lower + step].map(|k| chain.position(k)), has_axial);
+            let bonds = 0..weights.points().saturating_sub(weights.step(class));
             if !bonds.is_empty() && self.are_alike() {
-                return of(0) * weights.sum(class);
+                return self.within(self.span(class, 0.0), has_axial) * weights.sum(class);
             }
-            bonds.map(|lower| weights.weight(class, lower) * of(lower)).sum()
+            self.of_bonds(class, bonds, has_axial)
         };
         (0..weights.classes()).map(of_class).sum()
+    }
+
+    /// The same of the bonds of a class with lower points in a range, half by half while these are many.
+    fn of_bonds(&self, class: usize, bonds: Range<usize>, has_axial: bool) -> f64 {
+        let (chain, weights, count) = (self.chain, self.chain.intact_weights(), bonds.len());
+        if count <= MANY {
+            let span = |lower: usize| [lower, lower + weights.step(class)].map(|k| chain.position(k));
+            return bonds
+                .map(|lower| weights.weight(class, lower) * self.within(span(lower), has_axial))
+                .sum();
+        }
+        if self.are_straight(class, &bonds) {
+            // Of the second degree in the place of a bond: three tell the sum.
+            let ends = [bonds.start, bonds.end - 1].map(|lower| lower as f64);
+            let places = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]];
+            let [first, middle, last] = places.map(|place| self.within(self.span(class, place), has_axial));
+            let n = count as f64;
+            let bow = (first - 2.0 * middle + last) * (n + 1.0) / (6.0 * (n - 1.0));
+            return weights.of_class(class) * n * (middle + bow);
+        }
+        let half = bonds.start + count / 2;
+        let of_half = |half: Range<usize>| self.over(class, &half).of_bonds(class, half, has_axial);
+        of_half(bonds.start..half) + of_half(half..bonds.end)
+    }
+
+    /// What a bond of an even line spans; its lower point may be between two.
+    fn span(&self, class: usize, lower: f64) -> [f64; 2] {
+        let chain = self.chain;
+        let start = chain.position(0) + lower * chain.spacing;
+        [start, start + chain.weights.step(class) as f64 * chain.spacing]
+    }
+
+    /// Whether some bonds of a class are alike, on an even line under straight loads.
+    fn are_straight(&self, class: usize, bonds: &Range<usize>) -> bool {
+        let mut loads = self.carried.distributed.iter();
+        self.chain.is_uniform()
+            && loads.all(|load| matches!(load.intensity, Intensity::Linear { .. }))
+            && self.chain.intact_weights().are_ordinary(bonds.clone())
+            && self.breaks(self.reach(class, bonds)).next().is_none()
+    }
+
+    /// The part of a line that bonds of a class span.
+    fn reach(&self, class: usize, bonds: &Range<usize>) -> [f64; 2] {
+        [bonds.start, bonds.end - 1 + self.chain.weights.step(class)].map(|k| self.chain.position(k))
+    }
+
+    /// The same with the loads and breaks that such bonds see.
+    fn over(&self, class: usize, bonds: &Range<usize>) -> Self {
+        let [a, b] = self.reach(class, bonds);
+        let (from, slack) = (self.chain.line().from, 1e-9 * (b - a));
+        let sees = |x: f64| x > a - slack && x < b + slack;
+        let distributed = self.carried.distributed.iter().filter(|load| load.from < b && load.to > a);
+        let point = self.carried.point.iter().filter(|load| sees(load.x));
+        Self {
+            carried: Carried { distributed: distributed.copied().collect(), point: point.copied().collect() },
+            chain: self.chain,
+            breaks: self.breaks.iter().copied().filter(|s| sees(from + s)).collect(),
+            plain: self.plain,
+        }
     }
 
     /// Whether all bonds of a class carry the same.
