@@ -3,7 +3,7 @@
 use crate::diagnostic::{Faults, JsonPath};
 
 /// Memory that every process has, bytes: to ask the system how much there is takes as long as to solve a small beam.
-const ALWAYS: u64 = 16 << 20;
+const ALWAYS: u64 = 64 << 20;
 
 /// Memory that may be used, bytes: what is allowed, else what programs can have without swapping.
 pub fn allowed(limit: Option<u64>) -> Option<u64> {
