@@ -4,6 +4,7 @@ mod background;
 mod case_input;
 mod command;
 mod error;
+mod json_text;
 mod operator;
 mod run;
 mod solved;
@@ -26,6 +27,7 @@ fn _peristat(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(command::command, module)?)?;
     module.add_function(wrap_pyfunction!(run::run, module)?)?;
     module.add_function(wrap_pyfunction!(run::check, module)?)?;
+    module.add_function(wrap_pyfunction!(json_text::json_text, module)?)?;
     module.add_function(wrap_pyfunction!(models, module)?)?;
     module.add_function(wrap_pyfunction!(schema, module)?)
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from decimal import Decimal
@@ -13,6 +12,8 @@ from pathlib import Path
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
+
+from . import _peristat
 
 Case = Union[Mapping[str, Any], str, "PathLike[str]"]
 """A dictionary, a path, or JSON text, which begins with `{`."""
@@ -31,24 +32,22 @@ class Given(NamedTuple):
 
 def json_of(value: Any) -> str:
     """JSON, with the numbers and arrays of NumPy as those of Python. Raises `TypeError`, or `ValueError` for what is no finite number."""
+    return _peristat.json_text(value, plain)
 
-    def plain(other: Any) -> Any:
-        if isinstance(other, np.ndarray):
-            return other.tolist()
-        if isinstance(other, (np.integer, np.bool_)):
-            return other.item()
-        if isinstance(other, (np.floating, Real, Decimal)):
-            return float(other)
-        if isinstance(other, Mapping):
-            return dict(other)
-        if isinstance(other, PathLike):
-            return fspath(other)
-        raise TypeError(f"a case holds numbers, texts, lists and dictionaries, found {other!r}")
 
-    text = json.dumps(value, default=plain, allow_nan=False, ensure_ascii=False)
-    # Half of a surrogate pair is no text.
-    text.encode()
-    return text
+def plain(other: Any) -> Any:
+    """What JSON has of a value that is none of its own. Raises `TypeError`."""
+    if isinstance(other, np.ndarray):
+        return other.tolist()
+    if isinstance(other, (np.integer, np.bool_)):
+        return other.item()
+    if isinstance(other, (np.floating, Real, Decimal)):
+        return float(other)
+    if isinstance(other, Mapping):
+        return dict(other)
+    if isinstance(other, PathLike):
+        return fspath(other)
+    raise TypeError(f"a case holds numbers, texts, lists and dictionaries, found {other!r}")
 
 
 def given(
