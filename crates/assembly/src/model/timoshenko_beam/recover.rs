@@ -91,9 +91,14 @@ impl TimoshenkoBeam {
     fn statics(&self, chain: usize, forces: &[f64]) -> SectionForces {
         let (c, n, first) = (&self.chains[chain], self.points, self.first[chain]);
         let has_axial = forces.len() > U * n;
-        let mut sections = SectionForces::default();
+        let cells = c.points - 1;
+        let mut sections = SectionForces {
+            moment: Vec::with_capacity(cells),
+            shear: Vec::with_capacity(cells),
+            axial: Vec::with_capacity(if has_axial { cells } else { 0 }),
+        };
         let (mut moment, mut shear, mut axial) = (Sum::default(), Sum::default(), Sum::default());
-        for k in 0..c.ghosts[0] + c.points - 1 {
+        for k in 0..c.ghosts[0] + cells {
             // A force on a point lowers V to its right, a moment lowers M.
             shear.add(-forces[first + k]);
             moment.add(-forces[PHI * n + first + k]);

@@ -7,7 +7,6 @@ use crate::case::FieldName;
 use crate::run::Range;
 use crate::scene::beam::{BeamScene, FrameLayout, MemberLayout};
 use serde::{Deserialize, Serialize};
-use std::iter::once;
 
 /// Smallest and largest section forces of a member.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -102,16 +101,19 @@ impl Between<'_> {
             let beside = |(_, point): (f64, usize)| point.saturating_sub(1)..(point + 1).min(all);
             return beside(low).chain(beside(high)).filter(may_turn).collect();
         }
-        // A cell rises above its ends by less than these differ, or those of the cells beside it.
         let ends = ends.all();
-        let rises = ends.iter().map(|[a, b]| (b - a).abs());
-        let rises: Vec<f64> = once(0.0).chain(rises).chain(once(0.0)).collect();
-        let is_high = |([a, b], rises): (&[f64; 2], &[f64])| {
-            let most = rises[0].max(rises[1]).max(rises[2]);
-            a.max(*b) + most >= high.0 || a.min(*b) - most <= low.0
-        };
-        let cells = ends.iter().zip(rises.windows(3)).map(is_high).enumerate();
-        cells.filter_map(|(cell, is_high)| is_high.then_some(cell)).filter(may_turn).collect()
+        let mut rises = vec![0.0; all + 2];
+        rises[1..].iter_mut().zip(ends.iter()).for_each(|(rise, [a, b])| *rise = (b - a).abs());
+        // A cell rises above its ends by less than these differ, or those of the cells beside it.
+        let mut high_cells = Vec::new();
+        for (cell, ([a, b], rises)) in ends.iter().zip(rises.windows(3)).enumerate() {
+            let rise = rises[0].max(rises[1]).max(rises[2]);
+            let (bottom, top) = (low.0 + rise, high.0 - rise);
+            if (*a >= top || *b >= top || *a <= bottom || *b <= bottom) && may_turn(&cell) {
+                high_cells.push(cell);
+            }
+        }
+        high_cells
     }
 }
 

@@ -137,17 +137,24 @@ impl LineFields {
         section: impl Fn(f64, f64) -> Option<S>,
         at: impl Fn(usize, usize) -> [f64; 3],
         of: impl Fn(&S, [f64; 3]) -> Option<f64>,
-    ) -> Option<Cow<'_, [[f64; 2]]>> {
-        let cells = 0..self.x.len() - 1;
+    ) -> Option<Vec<[f64; 2]>> {
+        let cells = self.x.len() - 1;
+        let mut found = Vec::with_capacity(cells);
         if self.is_even() {
             let section = section(self.x.at(0), self.x.at(1))?;
-            return cells.map(|k| Some([of(&section, at(k, 0))?, of(&section, at(k, 1))?])).collect();
+            for k in 0..cells {
+                found.push([of(&section, at(k, 0))?, of(&section, at(k, 1))?]);
+            }
+            return Some(found);
         }
         let value = |k: usize, side: usize| {
             let [x, towards] = [k + side, k + 1 - side].map(|point| self.x.at(point));
             of(&section(x, towards)?, at(k, side))
         };
-        cells.map(|k| Some([value(k, 0)?, value(k, 1)?])).collect()
+        for k in 0..cells {
+            found.push([value(k, 0)?, value(k, 1)?]);
+        }
+        Some(found)
     }
 
     /// The point that a field at a point looks at: the next one, at the last point the one before.
@@ -264,7 +271,7 @@ impl BeamResult {
         };
         let stress = |sign: f64| {
             let of = |fibres: &Fibres, [m, _, n]: [f64; 3]| fibres.stress(sign, [m, n]);
-            fields.at_ends(|x, towards| Some(fields.fibres(x, towards)), at, of)
+            Some(fields.at_ends(|x, towards| Some(fields.fibres(x, towards)), at, of)?.into())
         };
         match field {
             FieldName::M => Some((&forces.moment).into()),
@@ -274,7 +281,7 @@ impl BeamResult {
             FieldName::StressBottom => stress(1.0),
             FieldName::EnergyDensity if fields.stored.is_none() => {
                 let of = |yielding: &Yielding, forces: [f64; 3]| Some(yielding.energy_density(forces));
-                fields.at_ends(|x, towards| fields.yielding(x, towards), at, of)
+                Some(fields.at_ends(|x, towards| fields.yielding(x, towards), at, of)?.into())
             }
             _ => None,
         }
