@@ -15,6 +15,8 @@ ROOT = Path(__file__).resolve().parent.parent
 COMMAND = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "target/release/peristat")
 RATIOS = [2, 3, 4]
 INFLUENCES = ["constant", "inverse", "linear"]
+# Exact bonds whose higher moments have no direction, in the place of an influence.
+ISOTROPIC = "isotropic"
 RUNS = 3
 # What the errors are those of, the case, its checks, and what is set beside the horizon ratio.
 WHOLE = [
@@ -82,13 +84,15 @@ def measured(name, checks, settings):
 
 
 def table(title, model, problems):
-    columns = [(m, i) for m in RATIOS for i in (INFLUENCES if m < 4 else INFLUENCES[:1])]
+    has_weights = model == "bond_plane"
+    columns = [(m, i) for m in RATIOS for i in (INFLUENCES + has_weights * [ISOTROPIC] if m < 4 else INFLUENCES[:1])]
     print(f"| {title} | " + " | ".join(f"m = {m}, `{i}`" for m, i in columns) + " |")
     print("|---|" + "---|" * len(columns))
     for words, case, checks, settings in problems:
         cells = []
         for m, influence in columns:
-            chosen = [f"horizon_ratio={m}", f'model.{model}.influence="{influence}"']
+            key = "weights" if influence == ISOTROPIC else "influence"
+            chosen = [f"horizon_ratio={m}", f'model.{model}.{key}="{influence}"']
             found = measured(case, checks, [*settings, *chosen])
             cells.append("refused" if found is None else f"{100 * found[0]:.2g} %, {found[1]:.2f} s")
         print(f"| {words} | " + " | ".join(cells) + " |", flush=True)

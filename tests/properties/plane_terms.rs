@@ -5,7 +5,7 @@ use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
 };
 use peristat_assembly::model::plane::Mirrors;
 use peristat_assembly::model::plane::{Calibration, Edges};
@@ -27,6 +27,7 @@ fn parameters(ratio: f64, choice: usize) -> PlaneParameters {
         horizon_ratio: ratio,
         influence: [Influence::Constant, Influence::Inverse, Influence::Linear][pick(16, 3)],
         calibration: if matched { Calibration::Matched } else { Calibration::Published },
+        weights: Weights::Nearest,
         volume_factor: factors[pick(48, 4)],
         edges,
     }

@@ -4,7 +4,7 @@ use crate::support::mixed::{Stiffness, line};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_antiplane::{AntiplaneParameters, BondAntiplane};
-use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
+use peristat_assembly::model::bond_plane::{Influence, VolumeFactor, Weights};
 use peristat_assembly::model::bond_solid::{BondSolid, BondSolidParameters};
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 use peristat_assembly::model::solid::{SolidEdges, SolidError, SolidModel, TENSOR};
@@ -17,6 +17,7 @@ fn parameters(horizon_ratio: f64) -> BondSolidParameters {
         horizon_ratio,
         influence: Influence::Constant,
         calibration: Calibration::Matched,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Full,
         edges: SolidEdges::Border,
     }

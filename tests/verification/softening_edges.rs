@@ -4,7 +4,7 @@ use peristat::summary::Summary;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::law::{Bilinear, Compression, History, Law, Unloading};
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
 };
 use peristat_assembly::model::plane::SofteningModel;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
@@ -90,6 +90,7 @@ fn family() -> Vec<HistoryBond<2>> {
         horizon_ratio: 3.0,
         influence: Influence::Constant,
         calibration: Calibration::Matched,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Full,
         edges: Edges::None,
     };

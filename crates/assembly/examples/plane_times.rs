@@ -4,7 +4,7 @@
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
 };
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 use peristat_assembly::model::{Model, Points};
@@ -33,6 +33,7 @@ fn main() {
             horizon_ratio: 3.0,
             influence: Influence::Constant,
             calibration,
+            weights: Weights::Nearest,
             volume_factor: VolumeFactor::Ramp,
             edges,
         };
@@ -65,6 +66,7 @@ fn main() {
         horizon_ratio: 3.0,
         influence: Influence::Constant,
         calibration: Calibration::Matched,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Full,
         edges: Edges::Overlay,
     };

@@ -2,7 +2,7 @@
 #![allow(clippy::print_stdout)]
 
 use peristat_assembly::body::SquareLattice;
-use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
+use peristat_assembly::model::bond_plane::{Influence, VolumeFactor, Weights};
 use peristat_assembly::model::bond_solid::{BondSolid, BondSolidParameters};
 use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::model::plane::{Calibration, Mirrors};
@@ -43,6 +43,7 @@ fn main() {
                     horizon_ratio,
                     influence: Influence::Constant,
                     calibration: Calibration::Matched,
+                    weights: Weights::Nearest,
                     volume_factor: VolumeFactor::Ramp,
                     edges,
                 };

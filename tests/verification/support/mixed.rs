@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
 };
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::model::{BodyModel, Model};
@@ -17,6 +17,7 @@ pub(crate) fn parameters(horizon_ratio: f64, edges: Edges) -> PlaneParameters {
         horizon_ratio,
         influence: Influence::Constant,
         calibration: Calibration::Matched,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Full,
         edges,
     }

@@ -4,7 +4,7 @@ use super::*;
 use crate::body::{BorderPart, Hole, Outline, Shape};
 use crate::model::Points;
 use crate::model::bond_plane::{
-    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
 };
 use crate::model::plane::{Calibration, Edges, Mirrors};
 use crate::recovery::hole::{Ellipse, HoleFields, HoleFit, HoleLoad};
@@ -34,6 +34,7 @@ impl Plate {
             horizon_ratio: 2.0,
             influence: Influence::Constant,
             calibration: Calibration::Matched,
+            weights: Weights::Nearest,
             volume_factor: VolumeFactor::Ramp,
             edges: Edges::Overlay,
         };

@@ -1,6 +1,6 @@
 use super::*;
 use crate::body::SquareLattice;
-use crate::model::bond_plane::{Influence, VolumeFactor};
+use crate::model::bond_plane::{Influence, VolumeFactor, Weights};
 use crate::model::bond_solid::{BondSolid, BondSolidParameters};
 use crate::model::plane::{Calibration, Mirrors};
 use crate::model::solid::{SolidEdges, SolidModel};
@@ -177,6 +177,7 @@ fn truncated() -> BondSolid {
         horizon_ratio: 2.0,
         influence: Influence::Constant,
         calibration: Calibration::Matched,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Ramp,
         edges: SolidEdges::None,
     };

@@ -1,7 +1,7 @@
 //! What the record of a run says of a material.
 
 use crate::units::{Units, number};
-use peristat_assembly::model::bond_plane::Influence;
+use peristat_assembly::model::bond_plane::{Influence, Weights};
 use peristat_assembly::model::plane::Calibration;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
@@ -59,6 +59,15 @@ pub(super) fn of_calibration(calibration: Calibration) -> &'static str {
         Calibration::Published => "bonds with the published constant",
         Calibration::Matched => "bonds with the exact moduli of the material",
     }
+}
+
+/// The same with the choice among exact bonds.
+pub(super) fn of_bonds(calibration: Calibration, weights: Weights) -> String {
+    let isotropic = match weights {
+        Weights::Nearest => "",
+        Weights::Isotropic => ", isotropic in the sixth order",
+    };
+    format!("{}{isotropic}", of_calibration(calibration))
 }
 
 pub(super) fn of_influence(influence: Influence) -> &'static str {

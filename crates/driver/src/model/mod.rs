@@ -11,6 +11,7 @@ mod asked;
 mod axisymmetric;
 mod beam_bond_orthotropic;
 mod bond_antiplane;
+mod bond_choice;
 mod bond_plane;
 mod bond_solid;
 mod critical;

@@ -29,7 +29,7 @@ mod trapping;
 pub use bond::CentralBond;
 pub use error::BondPlaneError;
 pub use material::{PlaneMaterial, PlaneState};
-pub use parameters::{Influence, PlaneParameters, VolumeFactor};
+pub use parameters::{Influence, PlaneParameters, VolumeFactor, Weights};
 pub use softening::{failure_stretch, yield_stretch};
 pub use toughness::{critical_stretch, crossing_bonds, growth_stretch, published_critical_stretch};
 

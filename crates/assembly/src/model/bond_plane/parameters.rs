@@ -56,6 +56,20 @@ impl Influence {
     }
 }
 
+/// Which of all bonds with the exact moduli are taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Weights {
+    /// Those nearest to the influence function.
+    #[default]
+    Nearest,
+    /// Those of them whose moments of the sixth order have no direction, in the plane from a horizon ratio of 3 on those of the eighth,
+    /// too. Inside a body that no body force loads displacements have an error of the fourth order in the spacing, those of `nearest`
+    /// of the second.
+    Isotropic,
+}
+
 /// Part of the volume of a neighbour that is taken to lie inside the horizon, for the calibration `published`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -83,6 +97,8 @@ pub struct PlaneParameters {
     pub influence: Influence,
     /// Where the stiffness comes from.
     pub calibration: Calibration,
+    /// Which of all exact bonds are taken, by the calibration `matched`.
+    pub weights: Weights,
     /// Parts of neighbours inside the horizon; the calibration `matched` needs none.
     pub volume_factor: VolumeFactor,
     /// Treatment of edges.

@@ -32,7 +32,7 @@ pub fn growth_stretch(
     spacing: f64,
 ) -> Result<f64, BondPlaneError> {
     let energy = critical_stretch(release_rate, parameters, spacing)?;
-    Ok(energy / trapping(parameters.influence, parameters.horizon_ratio))
+    Ok(energy / trapping(parameters))
 }
 
 /// The bonds that a crack along an interface between rows cuts.
@@ -58,7 +58,7 @@ pub fn published_critical_stretch(release_rate: f64, parameters: &PlaneParameter
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::bond_plane::{Influence, PlaneMaterial, VolumeFactor};
+    use crate::model::bond_plane::{Influence, PlaneMaterial, VolumeFactor, Weights};
     use crate::model::plane::{Calibration, Edges};
 
     fn parameters(state: PlaneState, horizon_ratio: f64) -> PlaneParameters {
@@ -67,6 +67,7 @@ mod tests {
             horizon_ratio,
             influence: Influence::Constant,
             calibration: Calibration::Matched,
+            weights: Weights::Nearest,
             volume_factor: VolumeFactor::Ramp,
             edges: Edges::Overlay,
         }

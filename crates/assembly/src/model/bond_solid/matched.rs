@@ -7,9 +7,12 @@
 //!
 //! Of all non-negative solutions the one is taken that differs least, relatively, from the weights `ω ξ`, scaled to the right
 //! energy of an equal stretch in all directions: `½ Σ μ a = 9K = 5 C11`.
+//!
+//! `isotropic` adds `Σ μ a ξ² H₄ = Σ μ a ξ² H₆ = 0`, the parts of the sixth moment with a direction that the cube leaves:
+//! `H₄ = 3 f₄ − 3/5`, `H₆ = n_x² n_y² n_z² + H₄/22 − 1/105`. What that does is said of plates.
 
 use super::super::plane::{is_within, length, project};
-use super::{BondSolidParameters, SolidError};
+use super::{BondSolidParameters, SolidError, Weights};
 use crate::body::Cell;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
@@ -36,14 +39,25 @@ pub(super) fn weights(parameters: &BondSolidParameters, offsets: &[Cell]) -> Res
     let kinds: Vec<Cell> = orbits.keys().copied().collect();
     // Half of the offsets stand for all.
     let count = DVector::from_iterator(kinds.len(), orbits.values().map(|orbit| 2.0 * orbit.len() as f64));
-    let matrix = DMatrix::from_fn(2, kinds.len(), |equation, k| {
+    let equations = match parameters.weights {
+        Weights::Nearest => 2,
+        Weights::Isotropic => 4,
+    };
+    let matrix = DMatrix::from_fn(equations, kinds.len(), |equation, k| {
         let squares = kinds[k].map(|x| f64::from(x * x));
         let length = squares.iter().sum::<f64>();
         let f4 = squares.iter().map(|s| s * s).sum::<f64>() / (3.0 * length * length);
-        0.5 * count[k] * if equation == 0 { f4 } else { (1.0 - 3.0 * f4) / 6.0 }
+        let (h4, n6) = (3.0 * f4 - 0.6, squares.iter().product::<f64>() / length.powi(3));
+        let of_one = match equation {
+            0 => f4,
+            1 => (1.0 - 3.0 * f4) / 6.0,
+            2 => length / (m * m) * h4,
+            _ => length / (m * m) * (n6 + h4 / 22.0 - 1.0 / 105.0),
+        };
+        0.5 * count[k] * of_one
     });
     // In units of C11.
-    let rhs = DVector::from(vec![1.0, 1.0 / 3.0]);
+    let rhs = DVector::from_fn(equations, |equation, _| [1.0, 1.0 / 3.0, 0.0, 0.0][equation]);
     let mut start = DVector::from_fn(kinds.len(), |k, _| {
         let length = length(kinds[k]);
         parameters.influence.at((length / m).min(1.0)) * length

@@ -11,7 +11,7 @@ mod matched;
 #[cfg(test)]
 mod tests;
 
-use super::bond_plane::{Influence, VolumeFactor};
+use super::bond_plane::{Influence, VolumeFactor, Weights};
 use super::plane::{Calibration, Neighbourhood, half_offsets, length};
 use super::solid::{Solid, SolidEdges, SolidError, SolidLaw, SolidMaterial, part, reach_of};
 use std::f64::consts::PI;
@@ -33,6 +33,8 @@ pub struct BondSolidParameters {
     pub influence: Influence,
     /// Where the stiffness comes from.
     pub calibration: Calibration,
+    /// Which of all exact bonds are taken, by the calibration `matched`.
+    pub weights: Weights,
     /// Parts of neighbours inside the horizon; the calibration `matched` needs none.
     pub volume_factor: VolumeFactor,
     /// Treatment of faces.

@@ -137,3 +137,66 @@ fn critical_stretches_release_the_energy_that_is_counted() {
     let known = published_critical_stretch(12.0, 3.0, Influence::Constant, 0.7);
     assert!((known / 1.781_741_612_749_496 - 1.0).abs() < 1e-12);
 }
+
+/// A displacement of the fourth degree in equilibrium without body forces, of Papkovich and Neuber:
+/// `4 (1 − ν) B − ∇(x·B + C)` with `B = (h, 0, 0)`, and harmonic h and C.
+fn in_equilibrium([x, y, z]: [f64; 3]) -> [f64; 3] {
+    let h = x.powi(4) - 6.0 * x * x * z * z + z.powi(4);
+    let of_h = [4.0 * x.powi(3) - 12.0 * x * z * z, 0.0, 4.0 * z.powi(3) - 12.0 * x * x * z];
+    // ∇(x (y⁴ − 6 y² z² + z⁴))
+    let of_c = [
+        y.powi(4) - 6.0 * y * y * z * z + z.powi(4),
+        x * (4.0 * y.powi(3) - 12.0 * y * z * z),
+        x * (4.0 * z.powi(3) - 12.0 * y * y * z),
+    ];
+    let of_b = [h + x * of_h[0], x * of_h[1], x * of_h[2]];
+    [3.0 * h - of_b[0] - of_c[0], -of_b[1] - of_c[1], -of_b[2] - of_c[2]]
+}
+
+/// The force that all bonds of a point put on it under that displacement, over the largest of one of them.
+fn force(parameters: BondSolidParameters) -> f64 {
+    let neighbourhood = parameters.law().unwrap().neighbourhood;
+    let (mut sum, mut largest) = ([0.0; 3], 0.0_f64);
+    for ([a], step) in neighbourhood.weights.iter().zip(&neighbourhood.offsets) {
+        let square = step.map(|x| f64::from(x * x)).iter().sum::<f64>();
+        for sign in [1.0, -1.0] {
+            let at = step.map(|x| sign * f64::from(x));
+            let along = in_equilibrium(at).iter().zip(at).map(|(u, x)| u * x).sum::<f64>();
+            let force = at.map(|x| a * along * x / (square * square));
+            largest = force.iter().fold(largest, |most, f| most.max(f.abs()));
+            sum = [0, 1, 2].map(|k| sum[k] + force[k]);
+        }
+    }
+    sum.iter().fold(0.0_f64, |most, f| most.max(f.abs())) / largest
+}
+
+#[test]
+fn isotropic_bonds_keep_polynomials_in_equilibrium() {
+    for horizon_ratio in [2.0, 2.5, 3.0, 4.0, 5.0] {
+        let parameters = BondSolidParameters { horizon_ratio, weights: Weights::Isotropic, ..BONDS };
+        // 3e-14 measured at m = 5.
+        assert!(force(parameters) < 1e-13, "{horizon_ratio}: {:e}", force(parameters));
+        let nearest = BondSolidParameters { weights: Weights::Nearest, ..parameters };
+        assert!(force(nearest) > 1e-3, "{horizon_ratio}: {:e}", force(nearest));
+        for (found, expected) in moduli(parameters).iter().zip([1.2, 0.4, 0.4]) {
+            assert!((found - expected).abs() < 1e-14, "{horizon_ratio} {found}");
+        }
+    }
+}
+
+#[test]
+fn isotropic_weights_are_those_of_the_reference() {
+    // The only ones with two spacings: an independent Python implementation.
+    let parameters = BondSolidParameters { horizon_ratio: 2.0, weights: Weights::Isotropic, ..BONDS };
+    let neighbourhood = parameters.law().unwrap().neighbourhood;
+    for (step, [a]) in neighbourhood.offsets.iter().zip(&neighbourhood.weights) {
+        let expected = match step.iter().map(|x| x * x).sum::<i32>() {
+            1 => 4.0 / 15.0,
+            2 => 8.0 / 15.0,
+            3 => 0.3,
+            4 => 4.0 / 15.0,
+            _ => 0.0,
+        };
+        assert!((a - expected).abs() < 1e-12, "{step:?} {a}");
+    }
+}

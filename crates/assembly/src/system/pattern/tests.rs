@@ -5,7 +5,7 @@ use crate::law::Bilinear;
 use crate::model::BodyModel;
 use crate::model::Points;
 use crate::model::bond_plane::{
-    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
 };
 use crate::model::plane::{Calibration, Edges, Mirrors, SofteningModel};
 use crate::stiffness::{HistoryBond, HistoryBonds, Kinematics};
@@ -26,6 +26,7 @@ fn plate_with(calibration: Calibration, edges: Edges) -> BondPlane {
         horizon_ratio: 3.0,
         influence: Influence::Constant,
         calibration,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Ramp,
         edges,
     };

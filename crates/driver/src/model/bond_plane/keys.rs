@@ -2,7 +2,7 @@
 
 use super::super::PlaneState;
 use super::PlaneBondLaw;
-use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
+use peristat_assembly::model::bond_plane::{Influence, VolumeFactor, Weights};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,9 @@ pub struct Plane {
     /// completed, else `matched`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<Calibration>,
+    /// Which of all exact bonds are taken, with the calibration `matched`; default: `nearest`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weights: Option<Weights>,
     /// Volume of points at the edge of the horizon, with the calibration `published`; default: `ramp`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_factor: Option<VolumeFactor>,

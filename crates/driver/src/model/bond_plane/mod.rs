@@ -36,7 +36,7 @@ impl From<BondPlaneError> for Refusal {
 }
 
 /// What can be chosen.
-const OPTIONS: [(&str, &str); 10] = [
+const OPTIONS: [(&str, &str); 11] = [
     (
         "calibration matched",
         "bonds with which a lattice has the moduli of the material to rounding (default)",
@@ -44,6 +44,10 @@ const OPTIONS: [(&str, &str); 10] = [
     (
         "calibration published",
         "the constants of the continuum; moduli of a lattice are off by percents; with volume_factor full, clip, ramp, area",
+    ),
+    (
+        "weights isotropic",
+        "exact bonds without a direction in the sixth moment: errors inside are of the fourth order where no body force acts",
     ),
     ("influence constant", "ω = 1, how the stiffness of bonds depends on their length (default)"),
     ("influence inverse", "ω = δ/ξ"),

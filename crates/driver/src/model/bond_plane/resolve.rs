@@ -1,11 +1,14 @@
 //! What the keys become.
 
+use super::super::bond_choice::BondChoice;
 use super::super::{
     Asked, BodyKind, Keys, Material, Model, PlaneBondLaw, PlaneState as State, USUAL_HORIZON_RATIO,
 };
 use super::{Central, Plane};
 use crate::diagnostic::{Faults, positive, root, tidy};
-use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor};
+use peristat_assembly::model::bond_plane::{
+    PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
+};
 use peristat_assembly::model::plane::{Calibration, Edges};
 
 /// How far a Poisson ratio may be off: 0.333 is a third.
@@ -25,8 +28,14 @@ impl Keys for Plane {
     }
 
     fn with_usual_bonds(&self) -> Model {
-        let usual =
-            Self { calibration: None, volume_factor: None, edges: None, bond_law: None, ..self.clone() };
+        let usual = Self {
+            calibration: None,
+            weights: None,
+            volume_factor: None,
+            edges: None,
+            bond_law: None,
+            ..self.clone()
+        };
         Model::BondPlane(usual)
     }
 
@@ -58,27 +67,26 @@ fn parameters(model: &mut Plane, asked: &Asked, faults: &mut Faults) -> Option<P
             .hint("leave `poisson_ratio` out; another one needs a model with more than central bonds, such as state-based or beam bonds");
         fine = false;
     }
-    // Edges are completed with matched bonds only.
-    let completes = model.edges.is_none_or(Edges::is_exact);
-    let usual = match (asked.breaks || asked.softens) && !completes {
+    // Edges are completed with matched bonds only, and those alone can be chosen.
+    let is_matched = model.edges.is_none_or(Edges::is_exact) || model.weights.is_some();
+    let usual = match (asked.breaks || asked.softens) && !is_matched {
         true => Calibration::Published,
         false => Calibration::Matched,
     };
     let calibration = *model.calibration.get_or_insert(usual);
     let published = calibration == Calibration::Published;
-    if model.volume_factor.is_some() && !published {
-        faults
-            .error(
-                path.key("volume_factor"),
-                "the calibration `matched` has no volume factors: its bonds are exact without them",
-            )
-            .hint(r#"remove `volume_factor`, or take "calibration": "published""#);
-        fine = false;
-    }
+    let choice = BondChoice { weights: model.weights, volume_factor: model.volume_factor };
+    fine &= choice.check(calibration, &path, faults);
     if model.volume_factor == Some(VolumeFactor::Area) && asked.body == BodyKind::Points {
         faults
             .error(path.key("volume_factor"), "the volume factor `area` needs the cells of a lattice")
             .hint("use `ramp`");
+        fine = false;
+    }
+    if model.weights == Some(Weights::Isotropic) && asked.body == BodyKind::Points {
+        faults
+            .error(path.key("weights"), "weights that are `isotropic` need the offsets of a lattice")
+            .hint("leave `weights` out, or describe the body by a `rectangle` or an `outline`");
         fine = false;
     }
     if model.edges.is_some_and(Edges::is_exact) && published {
@@ -99,6 +107,7 @@ fn parameters(model: &mut Plane, asked: &Asked, faults: &mut Faults) -> Option<P
         horizon_ratio: 0.0,
         influence: model.influence,
         calibration,
+        weights: model.weights.unwrap_or_default(),
         volume_factor: model.volume_factor.unwrap_or_default(),
         edges,
     })

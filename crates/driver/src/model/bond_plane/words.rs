@@ -1,7 +1,7 @@
 //! What the record of a run says of central bonds.
 
 use super::super::MaterialSummary;
-use super::super::material_summary::{Words, fact, of_calibration, of_influence};
+use super::super::material_summary::{Words, fact, of_bonds, of_influence};
 use crate::units::Units;
 use peristat_assembly::model::bond_plane::{PlaneParameters, PlaneState};
 use peristat_assembly::model::plane::Calibration;
@@ -21,12 +21,13 @@ pub(super) fn summary(of: &PlaneParameters, units: Units) -> MaterialSummary {
         ("poisson_ratio", json!(material.state.poisson_ratio())),
         ("influence", json!(of.influence)),
     ];
-    if of.calibration == Calibration::Published {
-        entries.push(("volume_factor", json!(of.volume_factor)));
+    match of.calibration {
+        Calibration::Published => entries.push(("volume_factor", json!(of.volume_factor))),
+        Calibration::Matched => entries.push(("weights", json!(of.weights))),
     }
     let (e, thickness) = (words.stress(material.youngs_modulus), words.thickness(material.thickness));
     let facts = vec![
-        fact("model", format!("{}, {plain}, {}", words.name, of_calibration(of.calibration))),
+        fact("model", format!("{}, {plain}, {}", words.name, of_bonds(of.calibration, of.weights))),
         fact("material", format!("E = {e}, ν = {nu}, {thickness}")),
     ];
     MaterialSummary { entries, facts, influence: of_influence(of.influence), edges: None }

@@ -1,6 +1,6 @@
 //! The model `bond_solid` of a case.
 
-use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
+use peristat_assembly::model::bond_plane::{Influence, VolumeFactor, Weights};
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 use schemars::JsonSchema;
@@ -21,6 +21,9 @@ pub struct BondSolidKeys {
     /// Where the stiffness of bonds comes from; `matched` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<Calibration>,
+    /// Which of all exact bonds are taken, with the calibration `matched`; `nearest` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weights: Option<Weights>,
     /// Parts of neighbours inside the horizon, of the calibration `published`; `ramp` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_factor: Option<VolumeFactor>,

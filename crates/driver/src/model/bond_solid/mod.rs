@@ -61,8 +61,12 @@ impl SolidParameters for BondSolidParameters {
 }
 
 /// What can be chosen.
-const OPTIONS: [(&str, &str); 5] = [
+const OPTIONS: [(&str, &str); 6] = [
     ("calibration matched", "bonds with the exact moduli of the material (default)"),
+    (
+        "weights isotropic",
+        "exact bonds without a direction in the sixth moment: errors inside are of the fourth order where no body force acts",
+    ),
     ("calibration published", "bonds of the continuum: moduli are off on every lattice, and more near faces"),
     ("edges border", "bonds end on the border (default of matched)"),
     ("edges overlay", "tetrahedra replace missing bonds: exact for every uniform strain"),

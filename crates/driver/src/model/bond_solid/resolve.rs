@@ -1,5 +1,6 @@
 //! What the keys become.
 
+use super::super::bond_choice::BondChoice;
 use super::super::solid::{Bonds, REFUSED, SolidBonds, USUAL, bonds};
 use super::super::{Asked, Keys, Material, Model, Refused, USUAL_HORIZON_RATIO};
 use super::{BondSolidKeys, NAME};
@@ -29,7 +30,13 @@ impl Keys for BondSolidKeys {
     }
 
     fn with_usual_bonds(&self) -> Model {
-        Model::BondSolid(Self { calibration: None, volume_factor: None, edges: None, ..self.clone() })
+        Model::BondSolid(Self {
+            calibration: None,
+            weights: None,
+            volume_factor: None,
+            edges: None,
+            ..self.clone()
+        })
     }
 
     fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
@@ -44,14 +51,15 @@ impl Keys for BondSolidKeys {
                 .hint("leave `poisson_ratio` out; the model `state_solid` has any");
             fine = false;
         }
-        let given = (self.calibration, self.volume_factor, self.edges);
-        let Bonds { calibration, volume_factor, edges } = bonds(given, &path, faults)?;
+        let choice = BondChoice { weights: self.weights, volume_factor: self.volume_factor };
+        let Bonds { calibration, volume_factor, edges } =
+            bonds((self.calibration, choice, self.edges), &path, faults)?;
         let parameters = BondSolidParameters {
             youngs_modulus: self.youngs_modulus,
-
             horizon_ratio: 0.0,
             influence: self.influence,
             calibration,
+            weights: self.weights.unwrap_or_default(),
             volume_factor: volume_factor.unwrap_or_default(),
             edges,
         };

@@ -1,6 +1,7 @@
 //! Keys that both models of solids have, checked and filled in.
 
 use super::super::Refused;
+use super::super::bond_choice::BondChoice;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::bond_plane::VolumeFactor;
 use peristat_assembly::model::plane::Calibration;
@@ -33,22 +34,13 @@ pub(in super::super) struct Bonds {
 
 /// The keys with their defaults; `path` is that of the model.
 pub(in super::super) fn bonds(
-    (calibration, factor, edges): (Option<Calibration>, Option<VolumeFactor>, Option<SolidEdges>),
+    (calibration, choice, edges): (Option<Calibration>, BondChoice, Option<SolidEdges>),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Bonds> {
     let calibration = calibration.unwrap_or(Calibration::Matched);
     let is_published = calibration == Calibration::Published;
-    let mut fine = true;
-    if factor.is_some() && !is_published {
-        faults
-            .error(
-                path.key("volume_factor"),
-                "the calibration `matched` has no volume factors: its bonds are exact without them",
-            )
-            .hint(r#"remove `volume_factor`, or take "calibration": "published""#);
-        fine = false;
-    }
+    let mut fine = choice.check(calibration, path, faults);
     if edges.is_some_and(SolidEdges::is_exact) && is_published {
         faults
             .error(
@@ -59,6 +51,6 @@ pub(in super::super) fn bonds(
         fine = false;
     }
     let usual = if is_published { SolidEdges::None } else { SolidEdges::Border };
-    let volume_factor = is_published.then(|| factor.unwrap_or_default());
+    let volume_factor = is_published.then(|| choice.volume_factor.unwrap_or_default());
     fine.then(|| Bonds { calibration, volume_factor, edges: edges.unwrap_or(usual) })
 }

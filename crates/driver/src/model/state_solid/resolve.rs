@@ -1,5 +1,6 @@
 //! What the keys become.
 
+use super::super::bond_choice::BondChoice;
 use super::super::solid::{Bonds, REFUSED, SolidBonds, USUAL, bonds};
 use super::super::{Asked, Keys, Material, Model, Refused};
 use super::{NAME, StateSolidKeys};
@@ -41,7 +42,8 @@ impl Keys for StateSolidKeys {
             );
             fine = false;
         }
-        let given = (self.calibration, self.volume_factor, self.edges);
+        let choice = BondChoice { weights: None, volume_factor: self.volume_factor };
+        let given = (self.calibration, choice, self.edges);
         let Bonds { calibration, volume_factor, edges } = bonds(given, &path, faults)?;
         let parameters = StateSolidParameters {
             youngs_modulus: self.youngs_modulus,

@@ -147,7 +147,7 @@ mod tests {
     use crate::case::FieldName;
     use peristat_assembly::body::SquareLattice;
     use peristat_assembly::model::bond_plane::{
-        BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+        BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
     };
     use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
     use std::sync::Arc;
@@ -157,6 +157,7 @@ mod tests {
             material: PlaneMaterial { youngs_modulus, thickness: 1.0, state },
             horizon_ratio: 2.0,
             influence: Influence::Constant,
+            weights: Weights::Nearest,
             calibration: Calibration::Matched,
             volume_factor: VolumeFactor::Full,
             edges: Edges::None,

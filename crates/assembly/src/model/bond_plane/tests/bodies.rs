@@ -16,6 +16,7 @@ pub(super) fn parameters(m: f64, [_, youngs_modulus, thickness]: [f64; 3]) -> Pl
         horizon_ratio: m,
         influence: Influence::Constant,
         calibration: Calibration::Matched,
+        weights: Weights::Nearest,
         volume_factor: VolumeFactor::Ramp,
         edges: Edges::Overlay,
     }

@@ -17,7 +17,7 @@ fn published(factor: VolumeFactor, m: f64) -> PlaneParameters {
     }
 }
 
-fn moduli(parameters: &PlaneParameters) -> [[f64; 3]; 3] {
+pub(super) fn moduli(parameters: &PlaneParameters) -> [[f64; 3]; 3] {
     let neighbourhood = neighbourhood(parameters).unwrap();
     let mut c = [[0.0; 3]; 3];
     for k in neighbourhood.bonded() {

@@ -5,6 +5,7 @@ mod border;
 mod cloud;
 mod cut;
 mod implementations;
+mod isotropic;
 mod lattice;
 mod mirrors;
 mod patch;

@@ -14,7 +14,7 @@ pub(in crate::model) use bodies::*;
 use super::*;
 use crate::body::SquareLattice;
 use crate::model::Points;
-use crate::model::bond_plane::{Influence, VolumeFactor};
+use crate::model::bond_plane::{Influence, VolumeFactor, Weights};
 use crate::model::bond_solid::{BondSolid, BondSolidParameters};
 use crate::model::plane::{Calibration, Mirrors, Solvable};
 use crate::model::state_solid::{StateSolid, StateSolidParameters};
@@ -25,6 +25,7 @@ pub(in crate::model) const BONDS: BondSolidParameters = BondSolidParameters {
     horizon_ratio: 2.0,
     influence: Influence::Constant,
     calibration: Calibration::Matched,
+    weights: Weights::Nearest,
     volume_factor: VolumeFactor::Ramp,
     edges: SolidEdges::Overlay,
 };
