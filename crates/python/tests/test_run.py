@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -164,6 +165,13 @@ def test_other_threads_run_while_a_case_is_solved() -> None:
     thread.join()
     # A tick takes 0.01 s and a little; a blocked interpreter leaves none.
     assert len(ticks) > 0.2 * spent / 0.01
+
+
+def test_threads_solve_at_once_and_agree() -> None:
+    alone = peristat.run(STRIP).field("ux")
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: peristat.run(STRIP).field("ux"), range(12)))
+    assert all(np.array_equal(alone, field) for field in found)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
