@@ -1,5 +1,5 @@
-//! Values of Python as JSON. The encoder of Python takes as long for a small case as solving it takes, so much of it by leaving other
-//! code behind in the caches of the processor.
+//! Values of Python as JSON. The encoder of Python takes a third as long for a small case as solving it takes, most of it by leaving
+//! other code behind in the caches of the processor.
 
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;

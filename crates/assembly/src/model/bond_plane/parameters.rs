@@ -104,3 +104,11 @@ pub struct PlaneParameters {
     /// Treatment of edges.
     pub edges: Edges,
 }
+
+impl PlaneParameters {
+    /// Whether published formulas of critical stretches, which are those of ω = 1, speak of these bonds: isotropic ones dissipate an
+    /// eighth less than such a formula says.
+    pub fn suits_published_formulas(&self) -> bool {
+        self.influence == Influence::Constant && self.weights == Weights::Nearest
+    }
+}

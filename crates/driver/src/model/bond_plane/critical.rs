@@ -3,7 +3,7 @@
 use super::super::{Critical, CriticalFormula, OnGround, Refusal, foreign, needed};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::bond_plane::{
-    Influence, PlaneParameters, critical_stretch, growth_stretch, published_critical_stretch,
+    PlaneParameters, critical_stretch, growth_stretch, published_critical_stretch,
 };
 
 /// The stretch at which every bond breaks.
@@ -42,9 +42,9 @@ pub(super) fn stretch(
     needed(Some(rate), "energy_release_rate", path, faults)?;
     let default = if on.is_lattice { CriticalFormula::Growth } else { CriticalFormula::Published };
     match given.formula.get_or_insert(default) {
-        CriticalFormula::Published if parameters.influence != Influence::Constant => {
+        CriticalFormula::Published if !parameters.suits_published_formulas() => {
             faults
-                .error(path.key("formula"), "the published formula is that of the influence `constant`")
+                .error(path.key("formula"), "the published formula is that of the influence `constant` and the weights `nearest`")
                 .hint("use the formula `growth`, which knows the bonds");
             None
         }

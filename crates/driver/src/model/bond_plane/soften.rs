@@ -5,7 +5,7 @@ use super::{BilinearLaw, PlaneBondLaw};
 use crate::diagnostic::{Faults, JsonPath, positive, root, tidy};
 use peristat_assembly::law::{Bilinear, Compression, Unloading};
 use peristat_assembly::model::bond_plane::{
-    Influence, PlaneParameters, critical_stretch, failure_stretch, published_critical_stretch, yield_stretch,
+    PlaneParameters, critical_stretch, failure_stretch, published_critical_stretch, yield_stretch,
 };
 use peristat_assembly::model::plane::Edges;
 
@@ -146,8 +146,8 @@ fn critical(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<f64> {
-    let constant = parameters.influence == Influence::Constant;
-    let default = if constant { CriticalFormula::Published } else { CriticalFormula::Energy };
+    let is_suited = parameters.suits_published_formulas();
+    let default = if is_suited { CriticalFormula::Published } else { CriticalFormula::Energy };
     let formula = formula.unwrap_or(default);
     if formula == CriticalFormula::Growth {
         faults
@@ -155,9 +155,9 @@ fn critical(
             .hint("use `energy`: bonds that soften dissipate what they are given, and the lattice holds them back less");
         return None;
     }
-    if formula == CriticalFormula::Published && !constant {
+    if formula == CriticalFormula::Published && !is_suited {
         faults
-            .error(path.key("formula"), "the published formula is that of the influence `constant`")
+            .error(path.key("formula"), "the published formula is that of the influence `constant` and the weights `nearest`")
             .hint("use the formula `energy`, which knows the bonds");
         return None;
     }
