@@ -44,7 +44,10 @@ pub(super) fn stretch(
     match given.formula.get_or_insert(default) {
         CriticalFormula::Published if !parameters.suits_published_formulas() => {
             faults
-                .error(path.key("formula"), "the published formula is that of the influence `constant` and the weights `nearest`")
+                .error(
+                    path.key("formula"),
+                    "the published formula is that of the influence `constant` and the weights `nearest`",
+                )
                 .hint("use the formula `growth`, which knows the bonds");
             None
         }

@@ -157,7 +157,10 @@ fn critical(
     }
     if formula == CriticalFormula::Published && !is_suited {
         faults
-            .error(path.key("formula"), "the published formula is that of the influence `constant` and the weights `nearest`")
+            .error(
+                path.key("formula"),
+                "the published formula is that of the influence `constant` and the weights `nearest`",
+            )
             .hint("use the formula `energy`, which knows the bonds");
         return None;
     }
