@@ -343,3 +343,34 @@ fn rollers_that_meet_free_edges_at_wide_angles_are_refused() {
     // 90°, 79° and 117°.
     assert_eq!([10.0, 6.0, 20.0].map(refused), [false, false, true]);
 }
+
+/// A strip of fibres at 30 degrees between linear pulls: `φ = −S₁₁ k x − ½ S₁₆ k y` and a rotation of the whole, k the slope of the
+/// stress. Without corrections φ half a spacing from the edge is 6 % off.
+#[test]
+fn rotations_are_those_of_local_elasticity() {
+    let case = json!({
+        "title": "bent fibres", "units": "mm-N-MPa", "limit": "local",
+        "model": { "beam_bond_orthotropic": { "youngs_modulus_1": 140000, "youngs_modulus_2": 10000, "poisson_ratio_12": 0.25,
+            "shear_modulus_12": 2930, "fibre_angle": 30 } },
+        "body": { "rectangle": { "size": [60, 20], "spacing": 1 } },
+        "supports": [ { "at": { "x": 30.5, "y": 10.5 }, "ux": 0, "uy": 0 }, { "at": { "x": 29.5, "y": 10.5 }, "uy": 0 } ],
+        "loads": [ { "traction": { "edge": "right", "linear": [[-10, 0], [10, 0]] } },
+                   { "traction": { "edge": "left", "linear": [[10, 0], [-10, 0]] } } ],
+        "probes": [ { "name": "middle", "at": { "x": 45.5, "y": 10.5 }, "field": "phi" },
+                    { "name": "top", "at": { "x": 45.5, "y": 19.5 }, "field": "phi" },
+                    { "name": "most", "field": "phi", "of": "largest" } ]
+    });
+    let (c, s) = (3.0_f64.sqrt() / 2.0, 0.5);
+    let [s11, s22, s12, s66] = [1.0 / 140_000.0, 1e-4, -0.25 / 140_000.0, 1.0 / 2930.0];
+    let s16 = (2.0 * (s11 - s12) - s66) * c * c * c * s - (2.0 * (s22 - s12) - s66) * c * s * s * s;
+    let solved = solve(&case);
+    let found = probe(&solved, "top") - probe(&solved, "middle");
+    let expected = -0.5 * s16 * 9.0;
+    // Found: 7e-4.
+    assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
+    // What points have is what probes find there: in the corner at (0.5, 19.5).
+    let mut there = case.clone();
+    there["probes"][0]["at"] = json!({ "x": 0.5, "y": 19.5 });
+    let there = solve(&there);
+    assert!((probe(&there, "middle") / probe(&there, "most") - 1.0).abs() < 1e-9);
+}

@@ -144,7 +144,7 @@ impl Correction {
         smooth
     }
 
-    /// What reads displacement and stress at positions of the body, m. None where too little is known around one to tell a fit.
+    /// What reads displacement, rotation and stress at positions of the body, m. None where too little is known around one to tell a fit.
     pub fn reading(&self, positions: Vec<[f64; 2]>) -> Option<Reading> {
         let mut fits = self.fits.clone();
         let places: Vec<[f64; 2]> = positions.iter().map(|at| self.grid.place(*at)).collect();
@@ -152,7 +152,7 @@ impl Correction {
         Some(Reading { fits, at: fitted.into_iter().zip(positions).collect() })
     }
 
-    /// Displacement and stress at the positions of a reading.
+    /// Displacement, rotation and stress at the positions of a reading.
     pub fn read(&self, reading: &Reading, state: State) -> Vec<Field> {
         let mut found = Vec::new();
         self.without_weight(state, |inner| {
@@ -162,10 +162,8 @@ impl Correction {
                 {
                     return fit.at(*position);
                 }
-                let (mut field, own) =
-                    (self.field(&reading.fits, at, inner), self.weight.field(state.weight, *position));
-                (0..2).for_each(|k| field.displacement[k] += own.displacement[k]);
-                (0..3).for_each(|k| field.stress[k] += own.stress[k]);
+                let mut field = self.field(&reading.fits, at, inner);
+                field.add_multiple(1.0, &self.weight.field(state.weight, *position));
                 field
             };
             found = reading.at.par_iter().with_min_len(64).map(of).collect();
@@ -177,9 +175,13 @@ impl Correction {
     fn field(&self, fits: &Fits, at: &Fitted, state: State) -> Field {
         let coefficients = fits.coefficients(at, &self.border, state);
         let u = fits.basis.displacements([0.0; 2]) * &coefficients;
-        let unit = fits.basis.unit() / fits.radius(&self.grid);
-        let stress = fits.basis.stresses([0.0; 2]) * &coefficients * unit;
-        Field { displacement: [u[0], u[1]], stress: [stress[0], stress[1], stress[2]] }
+        let radius = fits.radius(&self.grid);
+        let stress = fits.basis.stresses([0.0; 2]) * &coefficients * (fits.basis.unit() / radius);
+        Field {
+            displacement: [u[0], u[1]],
+            rotation: fits.basis.rotations([0.0; 2]).dot(&coefficients) / radius,
+            stress: [stress[0], stress[1], stress[2]],
+        }
     }
 
     /// Works on a state less the field of the force on every point.
@@ -194,7 +196,7 @@ impl Correction {
         }
         let held = self.border.held();
         let less = |((known, sample), held): ((&[f64; 2], &Sample), [bool; 2])| {
-            let Field { displacement, stress: [xx, yy, xy] } = self.weight.field(state.weight, sample.at);
+            let Field { displacement, stress: [xx, yy, xy], .. } = self.weight.field(state.weight, sample.at);
             let [x, y] = sample.normal;
             let traction = [xx * x + xy * y, xy * x + yy * y];
             [0, 1].map(|k| known[k] - if held[k] { displacement[k] } else { traction[k] })

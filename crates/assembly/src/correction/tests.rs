@@ -220,3 +220,21 @@ fn weight_is_in_balance_with_its_stress() {
     let (r, load) = plate.residual(&plate.displacements(&exact), &exact, ([force[0], force[1] - 1.0], &[]));
     assert!(largest(&r) < 1e-11 * load, "{:e} of {load:e}", largest(&r));
 }
+
+#[test]
+fn rotations_under_weight_are_those_of_its_displacements() {
+    let stiffness = [[140.6, 2.5, 0.4], [2.5, 10.0, -0.2], [0.4, -0.2, 2.93]];
+    let weight = Weight::new(&stiffness, [0.3, -0.1]).unwrap();
+    let (h, at) = (1e-3, [1.4, 0.8]);
+    let by = |c: usize, axis: usize| {
+        let u = |step: f64| {
+            let mut place = at;
+            place[axis] += step;
+            weight.field([0.3, -0.7], place).displacement[c]
+        };
+        (u(h) - u(-h)) / (2.0 * h)
+    };
+    let (found, expected) = (weight.field([0.3, -0.7], at).rotation, 0.5 * (by(1, 0) - by(0, 1)));
+    // Found: 4e-14, of 0.12.
+    assert!((found - expected).abs() < 1e-11, "{found} {expected}");
+}

@@ -25,6 +25,8 @@ impl Weight {
         // Integrals of ε = S σ; the shear strain S_61 σ_xx + S_62 σ_yy goes to u along y and to v along x.
         let u = -0.5 * s[0][0] * a * x * x - s[0][1] * b * x * y + 0.5 * (s[0][1] * a - s[2][1] * b) * y * y;
         let v = -0.5 * s[1][1] * b * y * y - s[1][0] * a * x * y + 0.5 * (s[1][0] * b - s[2][0] * a) * x * x;
-        Field { displacement: [u, v], stress: [-a * x, -b * y, 0.0] }
+        let by_x = (s[1][0] * b - s[2][0] * a) * x - s[1][0] * a * y;
+        let by_y = (s[0][1] * a - s[2][1] * b) * y - s[0][1] * b * x;
+        Field { displacement: [u, v], rotation: 0.5 * (by_x - by_y), stress: [-a * x, -b * y, 0.0] }
     }
 }

@@ -56,12 +56,11 @@ impl HoleFit {
         self.residual
     }
 
-    /// Displacement and stress at a position outside of the hole or on its border.
+    /// Displacement, rotation and stress at a position outside of the hole or on its border.
     pub fn at(&self, position: [f64; 2]) -> Field {
         let mut sum = self.fields.field_of(&self.outgoing, position);
         for (field, share) in self.fields.at(position).iter().zip(&self.coefficients) {
-            (0..2).for_each(|k| sum.displacement[k] += share * field.displacement[k]);
-            (0..3).for_each(|k| sum.stress[k] += share * field.stress[k]);
+            sum.add_multiple(*share, field);
         }
         sum
     }

@@ -129,6 +129,8 @@ impl Kolosov {
         let other = 2.0 * (z.conj() * second + psi_by_zeta / slope);
         Field {
             displacement: [u.re, u.im],
+            // The imaginary part of the derivative of u_x + i u_y by z.
+            rotation: (self.kappa + 1.0) * first.im / self.twice_shear,
             stress: [0.5 * (sum - other.re), 0.5 * (sum + other.re), 0.5 * other.im],
         }
     }

@@ -123,6 +123,8 @@ impl Lekhnitskii {
     fn add_potential(&self, k: usize, potential: C, by_z: C, field: &mut Field) {
         let mu = self.roots[k];
         (0..2).for_each(|c| field.displacement[c] += 2.0 * (self.shares[k][c] * potential).re);
+        let [p, q] = self.shares[k];
+        field.rotation += ((q - mu * p) * by_z).re;
         field.stress[0] += 2.0 * (mu * mu * by_z).re;
         field.stress[1] += 2.0 * by_z.re;
         field.stress[2] -= 2.0 * (mu * by_z).re;

@@ -62,12 +62,12 @@ impl Ellipse {
     }
 
     /// A field along its own axes along x and y.
-    fn field_back(&self, Field { displacement, stress: [xx, yy, xy] }: Field) -> Field {
+    fn field_back(&self, Field { displacement, rotation, stress: [xx, yy, xy] }: Field) -> Field {
         let (s, c) = self.turn.sin_cos();
         let (sum, difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
         let [cosine, sine] = [c * c - s * s, 2.0 * s * c];
         let (half, shear) = (cosine * difference - sine * xy, sine * difference + cosine * xy);
-        Field { displacement: self.back(displacement), stress: [sum + half, sum - half, shear] }
+        Field { displacement: self.back(displacement), rotation, stress: [sum + half, sum - half, shear] }
     }
 
     /// Strains `[ε_xx, ε_yy, γ_xy]` along x and y of those along its own axes.
@@ -102,13 +102,24 @@ impl Ellipse {
     }
 }
 
-/// Displacement `[u_x, u_y]`, m, and stress `[σ_xx, σ_yy, σ_xy]`, Pa, at a position.
+/// Displacement `[u_x, u_y]`, m, rotation, rad, and stress `[σ_xx, σ_yy, σ_xy]`, Pa, at a position.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Field {
     /// Displacement.
     pub displacement: [f64; 2],
+    /// `½ (∂u_y/∂x − ∂u_x/∂y)`, counter-clockwise.
+    pub rotation: f64,
     /// Stress.
     pub stress: [f64; 3],
+}
+
+impl Field {
+    /// Adds a multiple of another one.
+    pub fn add_multiple(&mut self, factor: f64, other: &Self) {
+        (0..2).for_each(|k| self.displacement[k] += factor * other.displacement[k]);
+        self.rotation += factor * other.rotation;
+        (0..3).for_each(|k| self.stress[k] += factor * other.stress[k]);
+    }
 }
 
 /// Elastic fields outside an ellipse whose border is free of tractions: potentials of the powers ζ^±1 to ζ^±N, and the two
@@ -158,7 +169,7 @@ impl HoleFields {
             Potentials::Isotropic(kolosov) => kolosov.add(position, self.order, &mut fields),
             Potentials::Anisotropic(lekhnitskii) => lekhnitskii.add(position, self.order, &mut fields),
         }
-        fields.extend([[1.0, 0.0], [0.0, 1.0]].map(|u| Field { displacement: u, stress: [0.0; 3] }));
+        fields.extend([[1.0, 0.0], [0.0, 1.0]].map(|u| Field { displacement: u, ..Field::default() }));
         if self.ellipse.turn != 0.0 {
             fields.iter_mut().for_each(|field| *field = self.ellipse.field_back(*field));
         }

@@ -85,6 +85,13 @@ fn stresses_are_those_of_the_displacements() {
                 };
                 let strain = [by(0, 0), by(1, 1), by(0, 1) + by(1, 0)];
                 let size = field.stress.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+                let rotation = 0.5 * (by(1, 0) - by(0, 1));
+                assert!(
+                    (rotation - field.rotation).abs()
+                        < 2e-4 * (strain.iter().map(|e| e.abs()).sum::<f64>() + 1e-9),
+                    "{e1} {k}: {rotation:e} {:e}",
+                    field.rotation
+                );
                 for r in 0..3 {
                     let stress: f64 = (0..3).map(|c| stiffness[r][c] * strain[c]).sum();
                     // The last material has equal roots, which are moved apart by 1e-5; differences have 1e-8.
@@ -209,6 +216,8 @@ fn tractions_on_a_hole_are_those_of_its_load() {
                     (u(h) - u(-h)) / (2.0 * h)
                 };
                 let strain = [by(0, 0), by(1, 1), by(0, 1) + by(1, 0)];
+                let rotation = fields.field_of(&outgoing, at).rotation;
+                assert!((rotation - 0.5 * (by(1, 0) - by(0, 1))).abs() < 2e-9, "{e1} {angle}");
                 for (r, found) in fields.field_of(&outgoing, at).stress.into_iter().enumerate() {
                     let stress: f64 = (0..3).map(|k| stiffness[r][k] * strain[k]).sum();
                     // Found: 4e-10.

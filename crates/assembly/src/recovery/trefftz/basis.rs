@@ -6,12 +6,14 @@ use nalgebra::{DMatrix, DVector, Matrix2xX, Matrix3xX};
 const NONE: f64 = 1e-10;
 
 /// Displacements that are polynomials and whose stresses have no divergence: an orthonormal basis, in a place relative to a
-/// centre over a radius. Stresses are per stiffness, the first entry of the matrix, and per radius.
+/// centre over a radius. Rotations are per radius, stresses also per stiffness, the first entry of the matrix.
 #[derive(Clone, Debug)]
 pub struct Basis {
     powers: Vec<[i32; 2]>,
     /// Coefficients of the powers in ux and uy, one column per field.
     displacement: DMatrix<f64>,
+    /// The same in the rotation.
+    rotation: DMatrix<f64>,
     /// The same in σ_xx, σ_yy, σ_xy.
     stress: DMatrix<f64>,
     unit: f64,
@@ -33,7 +35,9 @@ impl Basis {
         let columns: Vec<DVector<f64>> = free.map(|k| vectors.row(k).transpose()).collect();
         let displacement = DMatrix::from_columns(&columns);
         let stress = stresses(&powers, &displacement, stiffness, unit);
-        Self { powers, displacement, stress, unit }
+        let n = powers.len();
+        let rotation = 0.5 * (derived(&powers, &displacement, n, 0) - derived(&powers, &displacement, 0, 1));
+        Self { powers, displacement, rotation, stress, unit }
     }
 
     /// Number of fields.
@@ -63,6 +67,11 @@ impl Basis {
         let values = self.values(at);
         let n = self.powers.len();
         Matrix2xX::from_fn(self.count(), |c, k| values.dot(&self.displacement.view((c * n, k), (n, 1))))
+    }
+
+    /// Rotations `½ (∂u_y/∂x − ∂u_x/∂y)` of all fields at a place.
+    pub fn rotations(&self, at: [f64; 2]) -> DVector<f64> {
+        self.rotation.tr_mul(&self.values(at))
     }
 
     /// Stresses of all fields at a place.

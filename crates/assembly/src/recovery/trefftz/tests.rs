@@ -39,11 +39,12 @@ fn stresses_are_those_of_the_displacements_and_in_equilibrium() {
     let moved = |k: usize, by: f64| [0, 1].map(|c| at[c] + if c == k { by } else { 0.0 });
     let slope = |k: usize| (basis.displacements(moved(k, h)) - basis.displacements(moved(k, -h))) / (2.0 * h);
     let (by_x, by_y) = (slope(0), slope(1));
-    let stress = basis.stresses(at);
+    let (rotation, stress) = (basis.rotations(at), basis.stresses(at));
     let turn = |k: usize| (basis.stresses(moved(k, h)) - basis.stresses(moved(k, -h))) / (2.0 * h);
     let (along, across) = (turn(0), turn(1));
     for k in 0..basis.count() {
         let strain = [by_x[(0, k)], by_y[(1, k)], by_y[(0, k)] + by_x[(1, k)]];
+        assert!((rotation[k] - 0.5 * (by_x[(1, k)] - by_y[(0, k)])).abs() < 5e-8, "{k}");
         for r in 0..3 {
             let expected: f64 = (0..3).map(|c| stiffness[r][c] * strain[c]).sum::<f64>() / stiffness[0][0];
             // Found: 7e-9, the differences.

@@ -31,7 +31,7 @@ pub(super) struct Local<'a> {
     correction: Correction,
     /// Around the holes that have fields of their own.
     rings: Vec<HoleRing>,
-    /// Places of the probes that have one, then, where stresses are recovered, the points of the body.
+    /// Places of the probes that have one, then, where stresses are recovered or points turn, the points of the body.
     places: Vec<Option<[f64; 2]>>,
     points: Vec<usize>,
     read: Reading,
@@ -62,7 +62,8 @@ impl<'a> Local<'a> {
         let (holes, rings): (Vec<HoleZone>, Vec<HoleRing>) = rings.unzip();
         let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes, singular: &limit.singular };
         let places = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();
-        let points: Vec<usize> = if recover { scene.real_points().collect() } else { Vec::new() };
+        let reads_points = recover || scene.model.turning().is_some();
+        let points: Vec<usize> = if reads_points { scene.real_points().collect() } else { Vec::new() };
         let made = Correction::new(model, bounds, ratio, FITTING).and_then(|correction| {
             let places: &Vec<Option<[f64; 2]>> = &places;
             let of_points = points.iter().map(|point| scene.model.place(*point));
@@ -132,15 +133,22 @@ impl<'a> Local<'a> {
         Some(Around { border: self.limit.known(state, self.correction.samples()), weight, holes })
     }
 
-    /// Gives the result of a state the stresses of the fits, and its probes what these find where they are.
+    /// Gives the result of a state the rotations and stresses of the fits, and its probes what these find where they are.
     pub(super) fn complete(&self, result: &mut BodyResult) {
         let (scene, n) = (self.scene, self.scene.model.points());
         let Some(around) = self.around(&scene.states[result.record.index], &result.record.u) else { return };
         let now = around.state(&result.record.u, n);
         let mut found = self.correction.read(&self.read, now).into_iter();
         result.probed = self.places.iter().map(|at| at.and_then(|_| found.next())).collect();
+        let found: Vec<Field> = found.collect();
+        if let Some((component, scale)) = scene.model.turning() {
+            for (point, field) in self.points.iter().zip(&found) {
+                result.record.u[component * n + point] = scale * field.rotation;
+            }
+            fill_images(scene, &mut result.record.u);
+        }
         let Some(recovered) = &mut result.recovered else { return };
-        for (&point, Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(found) {
+        for (&point, &Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(&found) {
             (0..3).for_each(|k| recovered.stress[k][point] = [xx, yy, xy][k]);
             let stress = [xx, yy, xy, 0.0, 0.0, 0.0];
             let across = scene.model.across_of(stress);
@@ -191,9 +199,9 @@ impl<'a> Local<'a> {
 /// What a probe finds at its place of corrected displacements, by its number.
 pub(super) fn read(scene: &BodyScene, result: &BodyResult, (k, probe): (usize, &BodyProbe)) -> Option<f64> {
     let Quantity::Field { field, .. } = &probe.quantity else { return None };
-    let Field { displacement, stress } = (*result.probed.get(k)?)?;
-    if let Some((component, _)) = scene.model.component(field.name()) {
-        return displacement.get(component).copied();
+    let Field { displacement, rotation, stress } = (*result.probed.get(k)?)?;
+    if let Some((component, about)) = scene.model.component(field.name()) {
+        return if about.is_rotation { Some(rotation) } else { displacement.get(component).copied() };
     }
     let stress = [stress[0], stress[1], stress[2], 0.0, 0.0, 0.0];
     of_stress(field.about().origin, Medium::of(scene), (0, stress), scene.model.across_of(stress))

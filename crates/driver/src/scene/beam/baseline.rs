@@ -1,13 +1,13 @@
 //! Stored values that results are compared with.
 
-use super::checks::Context;
+use super::checks::CheckedBeam;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::files::{column, text};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 
 /// The stored values of a baseline check, positions and values, if they belong to the points of the scene.
 pub(super) fn stored(
-    context: &Context,
+    context: &CheckedBeam,
     check: &crate::case::Baseline,
     path: &JsonPath,
     faults: &mut Faults,

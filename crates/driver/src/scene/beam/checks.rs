@@ -58,7 +58,7 @@ impl Expectation<BeamComparison> {
 }
 
 /// What the resolution of checks looks at.
-pub(super) struct Context<'a> {
+pub(super) struct CheckedBeam<'a> {
     /// Names beside those of the probes that checks can ask for.
     pub(super) facts: &'a [&'a str],
     pub(super) on_frame: bool,
@@ -77,7 +77,7 @@ pub(super) struct Context<'a> {
 /// Checks of the case.
 pub(super) fn expectations(
     case: &Case,
-    context: &Context,
+    context: &CheckedBeam,
     probes: &[BeamProbe],
     faults: &mut Faults,
 ) -> Vec<Expectation<BeamComparison>> {
@@ -108,7 +108,7 @@ pub(super) fn expectations(
 
 /// The stored values of a baseline of a field that points have.
 fn stored(
-    context: &Context,
+    context: &CheckedBeam,
     check: &Baseline,
     path: &JsonPath,
     faults: &mut Faults,
@@ -123,7 +123,7 @@ fn stored(
 }
 
 fn closed_form(
-    context: &Context,
+    context: &CheckedBeam,
     check: &ClosedForm,
     path: &JsonPath,
     state: usize,

@@ -12,8 +12,8 @@ use crate::model::{foreign, needed};
 use crate::scene::fracture::{self, FractureScene};
 use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains, TimoshenkoBeam};
 
-/// What resolution looks at.
-pub(super) struct Context<'a> {
+/// What the resolution of a fracture looks at.
+pub(super) struct BreakingBeam<'a> {
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) sections: &'a [SectionAlong],
     pub(super) probes: &'a [BeamProbe],
@@ -75,7 +75,7 @@ pub(super) fn check(case: &Case, layout: &Layout, faults: &mut Faults) {
 /// The fracture of a case, with its defaults filled in.
 pub(super) fn resolve(
     fracture: &mut Fracture,
-    context: &Context,
+    context: &BreakingBeam,
     faults: &mut Faults,
 ) -> Option<FractureScene<CriticalStrains>> {
     let (beam, path) = (context.beam, root("fracture"));
@@ -109,7 +109,7 @@ pub(super) fn resolve(
 /// Critical strains of every line.
 fn critical(
     fracture: &Fracture,
-    context: &Context,
+    context: &BreakingBeam,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<CriticalStrains> {
@@ -160,7 +160,12 @@ fn critical(
 }
 
 /// Critical strains of lines whose sections take up so much energy per area.
-fn of_energy(rate: f64, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<CriticalStrains> {
+fn of_energy(
+    rate: f64,
+    context: &BreakingBeam,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<CriticalStrains> {
     needed(Some(rate), "energy_release_rate", path, faults)?;
     let mut all = Vec::new();
     for (chain, section) in context.beam.chains().iter().zip(context.sections) {

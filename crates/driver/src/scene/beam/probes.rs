@@ -79,7 +79,7 @@ pub struct BetweenPoints {
 }
 
 /// What the resolution of probes looks at.
-pub(super) struct Context<'a> {
+pub(super) struct ProbedBeam<'a> {
     pub(super) model: &'a Beam,
     pub(super) layout: &'a Layout,
     pub(super) first: &'a [usize],
@@ -91,12 +91,12 @@ pub(super) struct Context<'a> {
 }
 
 /// Probes of the case.
-pub(super) fn probes(case: &Case, context: &Context, faults: &mut Faults) -> Vec<BeamProbe> {
+pub(super) fn probes(case: &Case, context: &ProbedBeam, faults: &mut Faults) -> Vec<BeamProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| resolve(probe, context, path, faults);
     crate::scene::probes::probes(case, resolve, faults)
 }
 
-fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<BeamProbe> {
+fn resolve(probe: &Probe, context: &ProbedBeam, path: &JsonPath, faults: &mut Faults) -> Option<BeamProbe> {
     let site = match probe.of {
         Some(of) => reduced::resolve(probe, of, context, path, faults)?,
         None => at_place(probe, context, path, faults)?,
@@ -105,7 +105,7 @@ fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Fault
 }
 
 /// The point that answers for a probe, or the two around it.
-fn at_place(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<ProbeSite> {
+fn at_place(probe: &Probe, context: &ProbedBeam, path: &JsonPath, faults: &mut Faults) -> Option<ProbeSite> {
     let layout = context.layout;
     let at = path.key("at");
     let spot = frame_place::find(&probe.at, layout, &at, "the probe", faults)?;
@@ -176,7 +176,12 @@ pub(super) fn askable() -> Vec<FieldName> {
 }
 
 /// Whether a field exists on a body of this kind.
-pub(super) fn fits_body(field: FieldName, context: &Context, path: &JsonPath, faults: &mut Faults) -> bool {
+pub(super) fn fits_body(
+    field: FieldName,
+    context: &ProbedBeam,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
     use FieldName::{N, ReactionForce, ReactionX, ReactionY, U, Ux, Uy};
     let on_frame = context.layout.frame.is_some();
     let there_are = probed(on_frame, context.has_axial);

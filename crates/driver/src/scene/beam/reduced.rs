@@ -1,6 +1,6 @@
 //! Probes of what is made of a field along lines.
 
-use super::probes::{self, Context, ProbeSite};
+use super::probes::{self, ProbeSite, ProbedBeam};
 use super::{foreign, frame_place};
 use crate::case::{FieldName, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath};
@@ -11,7 +11,7 @@ use std::ops::Range;
 pub(super) fn resolve(
     probe: &Probe,
     of: Reduction,
-    context: &Context,
+    context: &ProbedBeam,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<ProbeSite> {
@@ -38,7 +38,7 @@ pub(super) fn resolve(
 /// All lines, or those of a member, and what the user calls them.
 fn lines(
     probe: &Probe,
-    context: &Context,
+    context: &ProbedBeam,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(Range<usize>, String)> {

@@ -148,7 +148,7 @@ impl BeamScene {
         let bars: Vec<RigidBar> = bars.into_iter().map(|b| b.numbered(&numbers)).collect();
         let states = loads::states(case, &cases, max_memory, faults)?;
         warnings::collect(case, model, &layout, &beam, &beds, faults);
-        let context = probes::Context {
+        let context = probes::ProbedBeam {
             model,
             layout: &layout,
             first: &numbers,
@@ -158,9 +158,9 @@ impl BeamScene {
             breaks: case.fracture.is_some(),
         };
         let probes = probes::probes(case, &context, faults);
-        let context = fracture::Context { beam: &beam, sections: &sections, probes: &probes };
+        let context = fracture::BreakingBeam { beam: &beam, sections: &sections, probes: &probes };
         let breaks = fracture.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
-        let context = checks::Context {
+        let context = checks::CheckedBeam {
             units: case.units,
             facts: fracture::facts(breaks.as_ref()),
             on_frame: layout.frame.is_some(),
