@@ -41,7 +41,7 @@ const OPTIONS: [(&str, &str); 2] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "plate of bonds in antiplane shear: points move across the plane by w; cracks of mode III; influences and edges as bond_plane: rectangle, outline",
-    bodies: &[("plate sheared across its plane, K_III of given cracks", "bond_antiplane")],
+    bodies: &[("antiplane shear of a plate, K_III of given cracks", "bond_antiplane")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a sheared plate with a hole", case: include_str!("start.json") }],
     growth: Growth::Plane,

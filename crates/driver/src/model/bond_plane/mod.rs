@@ -66,7 +66,7 @@ const OPTIONS: [(&str, &str); 11] = [
 pub(super) const ENTRY: Entry = Entry {
     name: "bond_plane",
     about: "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",
-    bodies: &[("plate or thick slice, ν = 1/3 or 1/4: holes, cracks, ductile bonds", "bond_plane")],
+    bodies: &[("plane stress or strain, ν = 1/3 or 1/4: holes, cracks, ductile bonds", "bond_plane")],
     options: || plain(&OPTIONS),
     starts: &[Start {
         name: "bond_plane",

@@ -21,7 +21,7 @@ const OPTIONS: [(&str, &str); 2] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "plate in bending with shear, thin or thick, any Poisson's ratio: deflections and rotations; slabs on walls, columns and soil: rectangle, outline",
-    bodies: &[("slab, panel, plate under a pressure", "plate_bending")],
+    bodies: &[("plate in bending: slab, panel, floor", "plate_bending")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a slab on four walls", case: include_str!("start.json") }],
     growth: Growth::Plane,

@@ -46,7 +46,7 @@ const OPTIONS: [(&str, &str); 12] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "isotropic plate of state-based families, plane stress or plane strain, any Poisson's ratio below 1/2: rectangle, outline",
-    bodies: &[("plate or thick slice of any Poisson's ratio: holes, cracks", "state_plane")],
+    bodies: &[("plane stress or strain, any Poisson's ratio: holes, cracks", "state_plane")],
     options: || plain(&OPTIONS),
     starts: &[Start {
         name: NAME,

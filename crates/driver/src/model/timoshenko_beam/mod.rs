@@ -21,7 +21,7 @@ pub(super) const ENTRY: Entry = Entry {
     name: "timoshenko_beam",
     about: "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
     bodies: &[
-        ("straight beam, tapered or graded, on elastic ground", "timoshenko_beam"),
+        ("straight beam, tapered or graded, on an elastic foundation", "timoshenko_beam"),
         ("plane frame, truss", "frames"),
     ],
     options,
