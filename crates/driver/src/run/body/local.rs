@@ -138,17 +138,18 @@ impl<'a> Local<'a> {
         let (scene, n) = (self.scene, self.scene.model.points());
         let Some(around) = self.around(&scene.states[result.record.index], &result.record.u) else { return };
         let now = around.state(&result.record.u, n);
-        let mut found = self.correction.read(&self.read, now).into_iter();
-        result.probed = self.places.iter().map(|at| at.and_then(|_| found.next())).collect();
-        let found: Vec<Field> = found.collect();
+        let found = self.correction.read(&self.read, now);
+        let mut rest = found.iter();
+        result.probed = self.places.iter().map(|at| at.and_then(|_| rest.next().copied())).collect();
+        let of_points = rest.as_slice();
         if let Some((component, scale)) = scene.model.turning() {
-            for (point, field) in self.points.iter().zip(&found) {
+            for (point, field) in self.points.iter().zip(of_points) {
                 result.record.u[component * n + point] = scale * field.rotation;
             }
             fill_images(scene, &mut result.record.u);
         }
         let Some(recovered) = &mut result.recovered else { return };
-        for (&point, &Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(&found) {
+        for (&point, &Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(of_points) {
             (0..3).for_each(|k| recovered.stress[k][point] = [xx, yy, xy][k]);
             let stress = [xx, yy, xy, 0.0, 0.0, 0.0];
             let across = scene.model.across_of(stress);
