@@ -14,8 +14,8 @@
 //! rather than on residuals and increments: it reads three vectors and writes one, which can all be done by the loop
 //! that evaluates the product.
 
-use crate::real::Real;
-use crate::vector::{extrapolate, subtract_from};
+use peristat_vector::Real;
+use peristat_vector::{extrapolate, subtract_from};
 
 /// The coefficients of a step of the smoother.
 #[derive(Debug, Clone, Copy, PartialEq)]

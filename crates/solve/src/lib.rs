@@ -41,11 +41,8 @@ mod pcg;
 #[cfg(test)]
 mod plane;
 mod ranks;
-mod real;
 mod repeating;
 mod sparse;
-mod sums;
-mod vector;
 
 pub use band::{BandCholesky, BandMatrix};
 pub use choice::{Method, Profile, choose};
@@ -58,6 +55,5 @@ pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
 pub use ranks::{Halo, Ranks};
-pub use real::Real;
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
 pub use sparse::{Ordering, SparseCholesky, SparseIndefinite};

@@ -2,7 +2,8 @@
 
 mod small;
 
-use crate::{FactorError, Preconditioner, vector};
+use crate::{FactorError, Preconditioner};
+use peristat_vector::add;
 use small::Small;
 
 /// Inverse of `A + Σ c v v^T` by the formula of Sherman, Morrison and Woodbury, given a factor of `A`.
@@ -132,7 +133,7 @@ impl LowRank {
         if outcome.is_ok() {
             small.solve(|index| self.columns[index].dot(z));
             for (index, y) in small.solution() {
-                vector::add(z, -y, self.solved(index));
+                add(z, -y, self.solved(index));
             }
         }
         self.small = Some(small);

@@ -19,9 +19,8 @@
 mod lanczos;
 mod report;
 
-use crate::sums::dot;
-use crate::vector::{add, advance, subtract};
 use crate::{LinearOperator, Preconditioner};
+use peristat_vector::{add, advance, dot, subtract};
 use report::Watch;
 pub use report::{PcgOptions, PcgReport, PcgStatus};
 

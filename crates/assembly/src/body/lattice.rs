@@ -272,7 +272,9 @@ impl SquareLattice {
 
     /// Stretches of points whose neighbours at an offset follow each other, too: for the `columns` of a row and layer, calls
     /// `visit` with those of every stretch and the number of the first neighbour.
-    #[inline]
+    ///
+    /// Always inlined: what `visit` does is compiled for the vectors that its caller has.
+    #[inline(always)]
     pub fn shifted(
         &self,
         [row, layer]: [i32; 2],

@@ -6,7 +6,7 @@
 use super::across::{Apart, apart};
 use super::grid::Grid;
 use super::level::CubicLevel;
-use pulp::Arch;
+use peristat_vector::vectorised;
 use rayon::prelude::*;
 use std::array::from_fn;
 
@@ -142,7 +142,7 @@ pub(super) fn parents(cell: usize, shift: usize) -> [(i64, f32); 2] {
 
 /// Adds `factor · a · b` to a line.
 fn add_scaled(line: &mut [f32], factor: f32, a: &[f32], b: &[f32]) {
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || line.iter_mut().zip(a.iter().zip(b)).for_each(|(sum, (a, b))| *sum += factor * a * b),
     );

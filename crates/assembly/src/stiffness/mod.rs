@@ -26,7 +26,7 @@ pub use grid_bonds::{Exception, GridBonds, Offset};
 pub use grid_families::{FamilyRows, GridFamilies, GridFamily};
 pub use history_bonds::{Answer, BondAnswers, EndedBond, HistoryBond, HistoryBonds, Kinematics};
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
-pub use noded_bonds::{BondPoints, NodedBonds, NodedBondsBuilder, NodedKind, Number};
+pub use noded_bonds::{BondPoints, NodedBonds, NodedBondsBuilder, NodedKind};
 pub use parts::{ConnectedParts, NumberedParts};
 pub use placed_bonds::{Place, PlacedBond, PlacedBonds};
 pub use shared_families::{SharedFamilies, SharedKind};

@@ -6,6 +6,7 @@ use crate::bonds::Mat;
 use crate::condition::Row;
 use crate::stiffness::planes::for_each_stretch;
 use crate::stiffness::{BlockRows, TakeForces};
+use peristat_vector::vectorised;
 use std::array::from_fn;
 
 /// Points that are taken together, the most that a term hands over at once.
@@ -126,10 +127,13 @@ impl<'a, const D: usize> Level<'a, D> {
         let slaves: Vec<&Row> = self.slaves().collect();
         let moved: Vec<f64> =
             slaves.iter().map(|s| x[s.unknown] + keep * (x[s.unknown] - previous[s.unknown])).collect();
-        let fused = self.sweep(x, previous, &|first, forces, own| {
-            pulp::Arch::new().dispatch(
+        let fused = self.sweep(x, previous, &|first, forces, mut own| {
+            vectorised(
                 #[inline(always)]
-                || finish(first, &self.residual_at(first, b, x, forces), own),
+                || {
+                    let own = own.each_mut().map(|own| &mut **own);
+                    finish(first, &self.residual_at(first, b, x, forces), own);
+                },
             );
         });
         if fused {

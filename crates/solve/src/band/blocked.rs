@@ -6,7 +6,7 @@
 //! that nothing is loaded across what was just stored.
 
 use super::pivots::Pivots;
-use crate::vector::vectorised;
+use peristat_vector::vectorised;
 
 /// Rows and columns of a square.
 const SIDE: usize = 4;

@@ -2,7 +2,7 @@
 
 use super::pivots::Pivots;
 use super::{blocked, window};
-use crate::vector::vectorised;
+use peristat_vector::vectorised;
 
 /// Factors the band in place; `values` has whole columns of `half_bandwidth + 1`.
 pub(super) fn factor(values: &mut [f64], half_bandwidth: usize) -> Pivots {

@@ -1,6 +1,6 @@
 //! The sweeps over a band of any width.
 
-use crate::vector::vectorised;
+use peristat_vector::vectorised;
 
 /// Solves `L D L^T x = y` in place; columns of `width`, the reciprocal pivot first.
 pub(super) fn solve(values: &[f64], width: usize, y: &mut [f64]) {
@@ -20,7 +20,7 @@ pub(super) fn solve(values: &[f64], width: usize, y: &mut [f64]) {
     );
     for (j, column) in values.chunks_exact(width).enumerate().rev() {
         let end = (j + width).min(order);
-        let taken = crate::sums::dot(&column[1..end - j], &y[j + 1..end]);
+        let taken = peristat_vector::dot(&column[1..end - j], &y[j + 1..end]);
         y[j] = y[j] * column[0] - taken;
     }
 }

@@ -2,8 +2,8 @@
 
 use super::MultigridOptions;
 use crate::hierarchy::Hierarchy;
-use crate::real::Real;
-use crate::vector::subtract;
+use peristat_vector::Real;
+use peristat_vector::subtract;
 
 /// Bounds for all levels but the coarsest, finest first, the margin included.
 pub(super) fn largest_eigenvalues<H: Hierarchy>(hierarchy: &H, options: &MultigridOptions) -> Vec<f64> {

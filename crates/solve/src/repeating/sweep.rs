@@ -2,7 +2,7 @@
 
 use super::table::{LANES, Table, add};
 use super::{RepeatingCholesky, Run, Tables};
-use crate::vector::vectorised;
+use peristat_vector::vectorised;
 
 /// Unknowns, about, that are worked on at once, next to the window of results.
 const CHUNK: usize = 512;

@@ -41,7 +41,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         }
         for chunk in self.chunks.all() {
             let own = chunk.first as usize;
-            if chunk.is_plain() && chunk.is_inner() {
+            if chunk.is_plain() && chunk.is_inner {
                 diagonal[own..own + chunk.width as usize].iter_mut().for_each(|block| add(block, &all));
                 continue;
             }

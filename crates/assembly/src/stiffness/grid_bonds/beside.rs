@@ -1,11 +1,11 @@
-//! Forces on the rows of solids: chunks whose neighbours at an offset follow each other, if they are there at all.
+//! Forces on chunks whose neighbours at an offset follow each other, if they are there at all.
 //!
-//! Rows of a cube are no longer than a chunk, so that hardly any chunk has all of its neighbours. What one lacks are whole lines
-//! beside it, and the ends of those that it has, all alike.
+//! What a chunk at a straight edge lacks are whole lines beside it, or the ends of those that it has, all alike: it is evaluated as
+//! those inside are.
 
 use super::chunks::{Beside, Chunk};
 use super::gather::{Forces, one_side};
-use super::short_row::{ShortRow, Sides};
+use super::chunk_forces::{ChunkForces, Sides};
 use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use std::array::from_fn;
@@ -33,7 +33,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         };
         all.clear();
         all.extend(self.classes.iter().enumerate().filter_map(sides));
-        let is_done = pulp::Arch::new().dispatch(ShortRow::<D, M, B> {
+        let is_done = pulp::Arch::new().dispatch(ChunkForces::<D, M, B> {
             classes: &self.classes,
             sides: all,
             u,

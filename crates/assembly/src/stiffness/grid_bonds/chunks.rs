@@ -29,12 +29,12 @@ pub(super) struct Chunk {
     pub(super) line: [i32; 2],
     pub(super) from: i32,
     pub(super) width: u32,
-    /// Place of its neighbours in the table, where all of them exist.
-    neighbours: u32,
     /// Place of its factors in the table, where some are not one.
     factors: u32,
-    /// What it has beside it in a solid, where that is simple.
+    /// What it has beside it, where that is simple.
     pub(super) beside: Option<Beside>,
+    /// Whether its points have all neighbours within the reach.
+    pub(super) is_inner: bool,
 }
 
 /// Lines beside a chunk that all go as far beyond its ends, as far as bonds reach.
@@ -55,11 +55,6 @@ impl Chunk {
     pub(super) fn is_plain(&self) -> bool {
         self.factors == NONE
     }
-
-    /// Whether its points have all neighbours within the reach.
-    pub(super) fn is_inner(&self) -> bool {
-        self.neighbours != NONE
-    }
 }
 
 /// The chunks of a lattice.
@@ -72,10 +67,9 @@ pub(super) struct Chunks {
     layers: i32,
     /// Place of the own line among those within the reach.
     middle: usize,
-    /// Per inner chunk, layer `-layers..=layers` and row `-reach..=reach`: number of the point in the chunk's first column.
-    neighbours: Vec<u32>,
     classes: usize,
-    /// Of chunks with simple lines beside them, as `neighbours`; none where there is no such line.
+    /// Per chunk with simple lines beside it, layer `-layers..=layers` and row `-reach..=reach`: number of the point in the chunk's
+    /// first column; none where there is no such line.
     lines: Vec<u32>,
     /// Per exceptional chunk, `[offset][upwards or downwards][point]`: factors of the bonds of its points as the lower
     /// and as the upper one.
@@ -91,7 +85,6 @@ impl Chunks {
             reach,
             layers,
             middle: (layers * (2 * reach + 1) + reach) as usize,
-            neighbours: Vec::new(),
             lines: Vec::new(),
             classes: steps.len(),
             factors: Vec::new(),
@@ -100,18 +93,16 @@ impl Chunks {
             for from in run.columns.clone().step_by(CHUNK) {
                 let width = (run.columns.end - from).min(CHUNK as i32);
                 let columns = from..from + width;
-                let neighbours = chunks.neighbours_of(lattice, run.line(), &columns);
-                // The rows of a plane are long, and most of their chunks have all neighbours.
-                let beside =
-                    if !lattice.is_plane() { chunks.beside(lattice, run.line(), &columns) } else { None };
+                let beside = chunks.beside(lattice, run.line(), &columns);
+                let is_inner = beside.is_some_and(|beside| chunks.are_all(&beside));
                 chunks.all.push(Chunk {
                     first: run.number(from) as u32,
                     line: run.line(),
                     from,
                     width: width as u32,
-                    neighbours,
                     factors: NONE,
                     beside,
+                    is_inner,
                 });
             }
         }
@@ -122,25 +113,6 @@ impl Chunks {
             }
         }
         chunks
-    }
-
-    /// Enters the neighbours of a chunk into the table if all of them exist.
-    fn neighbours_of(&mut self, lattice: &SquareLattice, line: [i32; 2], columns: &Range<i32>) -> u32 {
-        let (wide, begin) = (columns.start - self.reach..columns.end + self.reach, self.neighbours.len());
-        for step in self.lines() {
-            let mut whole = None;
-            lattice.shifted(line, &wide, step, |found, first| {
-                if found == wide {
-                    whole = Some(first as u32 + self.reach as u32);
-                }
-            });
-            let Some(number) = whole else {
-                self.neighbours.truncate(begin);
-                return NONE;
-            };
-            self.neighbours.push(number);
-        }
-        begin as u32
     }
 
     /// Enters the lines beside a chunk into the table if each of them is not there or goes as far as the others.
@@ -168,6 +140,12 @@ impl Chunks {
             self.lines.push(found.first().map_or(NONE, number));
         }
         Some(Beside { clip: clip?, begin: begin as u32 })
+    }
+
+    /// Whether there are lines within the whole reach, all of them.
+    fn are_all(&self, beside: &Beside) -> bool {
+        let lines = &self.lines[beside.begin as usize..];
+        beside.clip == [self.reach; 2] && lines.iter().take(self.lines().count()).all(|line| *line != NONE)
     }
 
     /// Numbers of the points in the first column of a chunk at an offset, upwards and downwards, from the lines beside it.
@@ -226,17 +204,6 @@ impl Chunks {
     pub(super) fn factors_of(&self, chunk: &Chunk, offset: usize, side: usize) -> Option<&[f64; CHUNK]> {
         let start = chunk.factors as usize + (2 * offset + side) * CHUNK;
         if chunk.factors == NONE { None } else { self.factors[start..].first_chunk() }
-    }
-
-    /// Numbers of the points at an offset, upwards and downwards, from the first point of an inner chunk.
-    #[inline(always)]
-    pub(super) fn neighbours(&self, chunk: &Chunk, step: Cell) -> [usize; 2] {
-        let [along, across, layer] = step;
-        // In the table a line and its opposite are equally far from the middle.
-        let away = (layer * (2 * self.reach + 1) + across) as isize;
-        let middle = chunk.neighbours as usize + self.middle;
-        let number = |line: usize, along: i32| (i64::from(self.neighbours[line]) + i64::from(along)) as usize;
-        [number(middle.wrapping_add_signed(away), along), number(middle.wrapping_add_signed(-away), -along)]
     }
 
     /// Largest offset, rows or columns.

@@ -7,11 +7,12 @@
 
 use super::chunks::{CHUNK, Chunk};
 use super::shares::measure;
-use super::short_row::Sides;
+use super::chunk_forces::Sides;
 use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use crate::stiffness::TakeForces;
 use crate::stiffness::planes::{planes, planes_mut, take_front};
+use peristat_vector::vectorised;
 use rayon::prelude::*;
 use std::array::from_fn;
 
@@ -32,7 +33,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             let mut sides = Vec::new();
             for chunk in chunks {
                 let mut forces = [[0.0; CHUNK]; D];
-                pulp::Arch::new().dispatch(
+                vectorised(
                     #[inline(always)]
                     || self.gather_chunk(chunk, &u, &mut sides, &mut forces),
                 );
@@ -56,48 +57,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             && chunk.is_plain()
         {
             self.beside(chunk, beside, u, sides, forces);
-        } else if chunk.is_inner() && chunk.is_plain() && chunk.width as usize == CHUNK {
-            self.inner(chunk, u, forces);
         } else {
             self.ragged(chunk, u, forces);
-        }
-    }
-
-    /// A full chunk whose points have all bonds, with factor one.
-    #[inline(always)]
-    fn inner(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
-        let window = |first: usize| -> [&[f64; CHUNK]; D] {
-            from_fn(|c| u[c][first..].first_chunk().expect("neighbours of an inner chunk exist"))
-        };
-        let own = window(chunk.first as usize);
-        for class in &self.classes {
-            let [up, down] = self.chunks.neighbours(chunk, class.step);
-            let (up, down) = (window(up), window(down));
-            for k in 0..CHUNK {
-                for m in 0..M {
-                    let (mut above, mut below) = (0.0, 0.0);
-                    for c in 0..D {
-                        if B::DIFFERENCE[m][c] {
-                            above += class.difference[m][c] * (up[c][k] - own[c][k]);
-                            below += class.difference[m][c] * (own[c][k] - down[c][k]);
-                        }
-                        if B::MEAN[m][c] {
-                            above += class.half_mean[m][c] * (own[c][k] + up[c][k]);
-                            below += class.half_mean[m][c] * (down[c][k] + own[c][k]);
-                        }
-                    }
-                    above *= class.modulus[m];
-                    below *= class.modulus[m];
-                    for c in 0..D {
-                        if B::DIFFERENCE[m][c] {
-                            forces[c][k] += class.difference[m][c] * (below - above);
-                        }
-                        if B::MEAN[m][c] {
-                            forces[c][k] += class.half_mean[m][c] * (below + above);
-                        }
-                    }
-                }
-            }
         }
     }
 

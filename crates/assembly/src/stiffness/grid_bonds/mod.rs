@@ -3,11 +3,10 @@
 mod assemble;
 mod beside;
 mod breaking;
+mod chunk_forces;
 mod chunks;
-
 mod gather;
 mod shares;
-mod short_row;
 mod survey;
 
 pub use chunks::Exception;
@@ -186,7 +185,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
         for chunk in self.chunks.all() {
             // Inside a body the bonds to the next points already join all that longer ones would.
             let (all, inner) = (0..self.classes.len(), plain.len() == next.len() && chunk.is_plain());
-            let joined: Vec<usize> = if inner && chunk.is_inner() { plain.clone() } else { all.collect() };
+            let joined: Vec<usize> = if inner && chunk.is_inner { plain.clone() } else { all.collect() };
             for index in joined {
                 let step = self.classes[index].step;
                 self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
@@ -194,7 +193,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
                     let first = chunk.first as usize + k;
                     if chunk.is_plain() && step == [1, 0, 0] {
                         parts.join_run(first..=first + columns.len());
-                    } else if are_rows || chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner() {
+                    } else if are_rows || chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner {
                         parts.join(first, other);
                     } else {
                         let present = (0..columns.len())

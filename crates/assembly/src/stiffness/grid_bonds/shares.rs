@@ -5,6 +5,7 @@ use super::gather::push;
 use super::{Class, GridBonds};
 use crate::bonds::{BondModel, Mat};
 use crate::stiffness::planes::{planes, planes_mut, take_front};
+use peristat_vector::vectorised;
 use rayon::prelude::*;
 use std::array::from_fn;
 use std::ops::Range;
@@ -21,7 +22,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let energies = self.own_parts::<1>([energy]);
         let parts: Vec<_> = parts.zip(energies).collect();
         parts.into_par_iter().for_each(|((chunks, mut own), (_, [energy]))| {
-            pulp::Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
                 || {
                     let mut done = 0;
@@ -88,7 +89,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let t = planes::<Q>(t);
         let parts = self.own_parts::<D>(planes_mut(force));
         parts.into_par_iter().for_each(|(chunks, mut own)| {
-            pulp::Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
                 || {
                     let mut done = 0;

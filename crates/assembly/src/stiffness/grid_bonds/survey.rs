@@ -5,6 +5,7 @@ use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use crate::stiffness::Survey;
 use crate::stiffness::planes::planes;
+use peristat_vector::vectorised;
 use rayon::prelude::*;
 use std::array::from_fn;
 
@@ -12,7 +13,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     pub(super) fn survey_chunks(&self, u: &[f64]) -> Survey<D> {
         let u = planes::<D>(u);
         let part = |chunks: &[Chunk]| {
-            pulp::Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
                 || chunks.iter().map(|chunk| self.survey_chunk(chunk, &u)).fold(Survey::EMPTY, Survey::join),
             )

@@ -8,6 +8,7 @@ use crate::body::Cell;
 use crate::stiffness::Survey;
 use crate::stiffness::planes::{planes, planes_mut, take_front};
 use crate::sum::Sum;
+use peristat_vector::vectorised;
 use rayon::prelude::*;
 use std::array::from_fn;
 
@@ -27,7 +28,7 @@ impl<const D: usize> GridFamilies<D> {
             .map(|band| (band, rest.split_off_mut(..band.points.len()).unwrap_or_default()))
             .collect();
         let work = |(band, theta): (&Band, &mut [f64])| {
-            pulp::Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
                 || {
                     for stretch in &self.stretches[band.stretches.clone()] {
@@ -140,7 +141,7 @@ impl<const D: usize> GridFamilies<D> {
                 behind = band.reached.end;
             }
             let work = |(band, mut own): (&Band, [&mut [f64]; D])| {
-                pulp::Arch::new().dispatch(
+                vectorised(
                     #[inline(always)]
                     || {
                         for stretch in &self.stretches[band.stretches.clone()] {

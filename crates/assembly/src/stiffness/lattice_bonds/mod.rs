@@ -11,6 +11,7 @@ pub use weights::{Override, Weights};
 use super::{BlockMatrix, ConnectedParts, Survey, Term, Twofold};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 use crate::sum::Sum;
+use peristat_vector::vectorised;
 use std::marker::PhantomData;
 
 /// The points `first .. first + count` of a body of `points` points, in lattice order.
@@ -103,14 +104,14 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
-        pulp::Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || self.add_force_plain(u, force),
         );
     }
 
     fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
-        pulp::Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || self.add_twofold(u, force),
         );
@@ -118,7 +119,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
-        pulp::Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || self.survey_plain(u),
         )

@@ -1,7 +1,7 @@
 //! Bonds between points and nodes that break one by one. They keep their numbers.
 
-use super::number::Number;
 use super::{NodedBonds, PlacedBond, PlacedBonds};
+use peristat_vector::Real;
 use std::collections::HashMap;
 
 /// What moves the bonds, by their numbers.
@@ -21,7 +21,7 @@ impl BondPoints {
     }
 }
 
-impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
+impl<const D: usize, const M: usize, T: Real> NodedBonds<D, M, T> {
     /// Whether a bond has broken.
     pub fn is_broken(&self, bond: usize) -> bool {
         self.factors.get(bond).is_some_and(|factor| *factor == T::default())

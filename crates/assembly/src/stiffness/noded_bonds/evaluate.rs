@@ -1,8 +1,8 @@
 //! Values of nodes, elongations of bonds and what they pull, for many at a time.
 
 use super::NodedBonds;
-use super::number::Number;
 use super::stretches::{Stretch, Walk};
+use peristat_vector::{Real, vectorised};
 
 /// Elements that are evaluated at once.
 const TILE: usize = 64;
@@ -15,7 +15,7 @@ type Hung<'a, T> = (&'a [Walk], &'a [T]);
 
 /// Adds `share` times the entries of a walk, `from` its k-th on.
 #[inline(always)]
-fn add_entries<T: Number>(sum: &mut [T], share: T, plane: &[T], walk: &Walk, from: usize) {
+fn add_entries<T: Real>(sum: &mut [T], share: T, plane: &[T], walk: &Walk, from: usize) {
     if walk.step == 1 {
         let entries = &plane[walk.at(from)..][..sum.len()];
         sum.iter_mut().zip(entries).for_each(|(sum, entry)| *sum += share * *entry);
@@ -26,7 +26,7 @@ fn add_entries<T: Number>(sum: &mut [T], share: T, plane: &[T], walk: &Walk, fro
 
 /// Adds `share` times some numbers to the entries of a walk, `from` its k-th on.
 #[inline(always)]
-fn add_to_entries<T: Number>(plane: &mut [T], share: T, numbers: &[T], walk: &Walk, from: usize) {
+fn add_to_entries<T: Real>(plane: &mut [T], share: T, numbers: &[T], walk: &Walk, from: usize) {
     if walk.step == 1 {
         let entries = &mut plane[walk.at(from)..][..numbers.len()];
         entries.iter_mut().zip(numbers).for_each(|(entry, number)| *entry += share * *number);
@@ -41,15 +41,13 @@ fn tiles(stretch: &Stretch) -> impl Iterator<Item = (usize, usize)> + use<> {
     (0..count).step_by(TILE).map(move |from| (from, TILE.min(count - from)))
 }
 
-impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
+impl<const D: usize, const M: usize, T: Real> NodedBonds<D, M, T> {
     /// `Q` planes of the values of all nodes, of those of the points.
     pub(super) fn of_nodes<const Q: usize>(&self, u: &[T]) -> Vec<T> {
-        let values = vec![T::default(); Q * self.node_count];
-        // A closure that gives away what it owns is inlined as a whole, and compiled for the vectors of the processor.
-        pulp::Arch::new().dispatch(
+        let mut values = vec![T::default(); Q * self.node_count];
+        vectorised(
             #[inline(always)]
-            move || {
-                let mut values = values;
+            || {
                 for stretch in self.nodes.all() {
                     let shares = &self.node_shares[stretch.kind as usize];
                     let [own, points @ ..] = self.nodes.walks(stretch, shares.len() + 1) else { continue };
@@ -65,9 +63,9 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
                         }
                     }
                 }
-                values
             },
-        )
+        );
+        values
     }
 
     /// Adds to the planes of the points what those of the nodes make of them: the transpose.
@@ -99,11 +97,10 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
         stress: impl Fn(usize, usize, &[Tile<T>; Q], &mut [Tile<T>; M]),
     ) {
         let nodes = self.of_nodes::<Q>(u);
-        let on_nodes = vec![T::default(); D * self.node_count];
-        pulp::Arch::new().dispatch(
+        let mut on_nodes = vec![T::default(); D * self.node_count];
+        vectorised(
             #[inline(always)]
-            move || {
-                let mut on_nodes = on_nodes;
+            || {
                 let (mut sums, mut sigma) = ([[T::default(); TILE]; Q], [[T::default(); TILE]; M]);
                 let (mut before, has_broken) = (0, !self.factors.is_empty());
                 for stretch in self.bonds.all() {
@@ -120,7 +117,6 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
                     before += stretch.count as usize;
                 }
                 self.add_from_nodes(&on_nodes, force);
-                drop(on_nodes);
             },
         );
     }

@@ -7,15 +7,14 @@
 mod breaking;
 mod build;
 mod evaluate;
-mod number;
 mod stretches;
 
 pub use breaking::BondPoints;
 pub use build::NodedBondsBuilder;
-pub use number::Number;
 
 use super::{BlockMatrix, ConnectedParts, Place, PlacedBond, PlacedBonds, Survey, Term};
 use crate::bonds::{Mat, Rows};
+use peristat_vector::Real;
 use std::array::from_fn;
 use stretches::{Stretch, Stretches};
 
@@ -57,7 +56,7 @@ pub struct NodedBonds<const D: usize, const M: usize, T = f64> {
     factors: Vec<T>,
 }
 
-impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
+impl<const D: usize, const M: usize, T: Real> NodedBonds<D, M, T> {
     fn new(
         points: usize,
         (node_shares, nodes): (Vec<Vec<f64>>, Stretches),

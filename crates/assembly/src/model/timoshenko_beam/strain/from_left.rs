@@ -4,6 +4,7 @@ use super::sums::{FEW, dot, largest};
 use super::{StrainAction, StrainChecks, StrainForm};
 use crate::model::timoshenko_beam::{ChainLoads, PHI, W};
 use crate::sum::Sum;
+use peristat_vector::vectorised;
 use std::ops::Range;
 
 /// The displacements, block by block from the left end:
@@ -83,7 +84,7 @@ impl<'a> FromLeft<'a> {
             let next = self.actions.iter().map(|a| a.point).find(|&p| p > self.done);
             let to = next.filter(|&p| p < start + count).unwrap_or(start + count);
             let cells = self.done - start..to - start;
-            pulp::Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
                 || self.cells(cells.clone(), &mut w[cells.clone()], &mut phi[cells.clone()]),
             );
@@ -171,7 +172,7 @@ impl<'a> FromLeft<'a> {
     /// Work of the loads on the points of a block, and largest displacements.
     fn measure(&mut self, w: &[f64], phi: &[f64]) {
         let count = w.len();
-        pulp::Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || {
                 if self.loads.is_some() {
@@ -202,10 +203,12 @@ impl<'a> FromLeft<'a> {
         let diagonal = self.form.product(start, end, v, [&mut r_0[..rows], &mut r_1[..rows]]);
         let v = [0, 1].map(|p| &self.strain[p][skip + back..][..rows]);
         let right = [0, 1].map(|p| &self.right[p][skip..][..rows]);
-        let rows = self.rows.each_mut().map(|r| &mut r[..rows]);
-        pulp::Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
-            || self.energy.add(self.checks.take(&diagonal, rows, right, v)),
+            || {
+                let rows = self.rows.each_mut().map(|r| &mut r[..rows]);
+                self.energy.add(self.checks.take(&diagonal, rows, right, v));
+            },
         );
     }
 

@@ -4,6 +4,7 @@ use super::sums::{FEW, dot};
 use super::{StrainAction, StrainForm};
 use crate::model::timoshenko_beam::{ChainLoads, PHI, W};
 use crate::sum::Sum;
+use peristat_vector::vectorised;
 use std::ops::Range;
 
 /// What all forces on the points come to.
@@ -82,9 +83,9 @@ impl<'a> FromRight<'a> {
             let to = next.filter(|&p| p > start).unwrap_or(start);
             let (part, after) = rest.split_at_mut(2 * (self.end - to));
             let cells = to - start..self.end - start;
-            pulp::Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
-                || self.cells(cells, part),
+                || self.cells(cells.clone(), part),
             );
             (rest, self.end) = (after, to);
         }

@@ -3,6 +3,7 @@
 use super::StrainForm;
 use crate::model::timoshenko_beam::BondTable;
 use crate::stiffness::Weights;
+use peristat_vector::vectorised;
 
 /// Couplings `[p][q]` of the unknowns p of one cell with the unknowns q of another; 0 is θ, 1 is g.
 pub(super) type Block = [[f64; 2]; 2];
@@ -181,13 +182,13 @@ impl StrainForm<'_> {
         start: usize,
         end: usize,
         v: [&[f64]; 2],
-        rows: [&mut [f64]; 2],
+        mut rows: [&mut [f64]; 2],
     ) -> Diagonal {
         match &self.ordinary {
             Some(columns) if self.are_ordinary(start, (end + self.reach() - 1).min(self.cells())) => {
-                pulp::Arch::new().dispatch(
+                vectorised(
                     #[inline(always)]
-                    || product_of_equal(columns, v, rows),
+                    || product_of_equal(columns, v, rows.each_mut().map(|row| &mut **row)),
                 );
                 Diagonal::Equal([columns[0][0][0], columns[0][1][1]])
             }

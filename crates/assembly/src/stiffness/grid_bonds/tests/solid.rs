@@ -70,7 +70,7 @@ fn forces_are_those_of_all_pairs() {
     let lattice = solid();
     let whole = GridBonds::new(lattice.clone(), &InSpace, &steps(), &[]);
     let (weakened, exceptions) = grid(&lattice);
-    assert!(whole.chunks.all().iter().any(|chunk| chunk.is_inner()));
+    assert!(whole.chunks.all().iter().any(|chunk| chunk.is_inner));
     let u = random(3 * lattice.points());
     for (grid, exceptions) in [(whole, Vec::new()), (weakened, exceptions)] {
         let (expected, energy) = pair_by_pair(&lattice, &exceptions, &u);

@@ -1,4 +1,4 @@
-//! Forces on the rows of solids, in vector registers: those of all bonds of a few points are summed before the next.
+//! Forces on a stretch of a row, in vector registers: those of all bonds of a few points are summed before the next.
 //!
 //! At the ends of a row some points lack bonds. They are evaluated as if their other ends were where they would be in memory, and
 //! then count nothing.
@@ -9,7 +9,7 @@ use crate::bonds::BondModel;
 use pulp::{Simd, WithSimd, bytemuck};
 use std::marker::PhantomData;
 
-/// Vectors of a component that are summed at once: with those of three components and their own values registers are full.
+/// Registers of a component that are summed at once: with those of three components and their own values all are in use.
 const VECTORS: usize = 2;
 /// The most numbers that these are.
 const MOST: usize = 16;
@@ -28,7 +28,7 @@ pub(super) struct Sides {
 }
 
 /// A chunk, beside which all lines go as far.
-pub(super) struct ShortRow<'a, const D: usize, const M: usize, B> {
+pub(super) struct ChunkForces<'a, const D: usize, const M: usize, B> {
     pub(super) classes: &'a [Class<D, M>],
     pub(super) sides: &'a [Sides],
     pub(super) u: &'a [&'a [f64]; D],
@@ -43,7 +43,7 @@ pub(super) struct ShortRow<'a, const D: usize, const M: usize, B> {
     pub(super) model: PhantomData<B>,
 }
 
-impl<const D: usize, const M: usize, B: BondModel<D, M>> WithSimd for ShortRow<'_, D, M, B> {
+impl<const D: usize, const M: usize, B: BondModel<D, M>> WithSimd for ChunkForces<'_, D, M, B> {
     /// Whether there are enough points.
     type Output = bool;
 
@@ -69,7 +69,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> WithSimd for ShortRow<'
     }
 }
 
-impl<const D: usize, const M: usize, B: BondModel<D, M>> ShortRow<'_, D, M, B> {
+impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B> {
     /// Whether the other ends of all bonds are in memory, also of those that there are not.
     fn is_within(&self) -> bool {
         let ends = self.sides.iter().flat_map(|sides| [sides.above, sides.below]).flatten();
@@ -98,7 +98,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> ShortRow<'_, D, M, B> {
         let zero = simd.splat_f64s(0.0);
         let own = self.load(simd, self.first + k);
         let mut sums = [[zero; VECTORS]; D];
-        let is_end = (k as i32) < self.reach || self.width < k + few + self.reach as usize;
+        let [before, behind] = self.clip;
+        let is_end =
+            before + (k as i32) < self.reach || self.width as i32 + behind < (k + few) as i32 + self.reach;
         for sides in self.sides {
             let class = &self.classes[sides.class as usize];
             let mut pulls = [[[zero; VECTORS]; M]; 2];

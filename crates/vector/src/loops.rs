@@ -1,34 +1,13 @@
-//! Loops compiled for the widest vectors that the processor has, and long vectors dealt out to threads.
+//! Updates of vectors, long ones dealt out to threads.
 //!
 //! Entries do not depend on each other here, so that neither the segments nor the number of threads changes a bit.
 
 use crate::real::Real;
-use pulp::{Arch, Simd, WithSimd};
+use crate::vectorised::vectorised;
 use rayon::prelude::*;
 
 /// Entries that a thread takes at a time: a quarter of a megabyte of each vector.
 pub(crate) const SEGMENT: usize = 1 << 15;
-
-struct Kernel<F>(F);
-
-impl<R, F: FnMut() -> R> WithSimd for Kernel<F> {
-    type Output = R;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(mut self, _: S) -> R {
-        (self.0)()
-    }
-}
-
-/// Runs a closure, marked `#[inline(always)]`, with those vectors.
-///
-/// `Arch::dispatch` takes closures, too, but calls them by value. For a closure that
-/// could be called again that goes through a shim without the attribute, and if the
-/// shim is not inlined the closure is compiled for the oldest processor.
-#[inline(always)]
-pub(crate) fn vectorised<R>(kernel: impl FnMut() -> R) -> R {
-    Arch::new().dispatch(Kernel(kernel))
-}
 
 /// Whether vectors of this length are worth more than one thread.
 pub(crate) fn worth_threads(length: usize) -> bool {
@@ -46,7 +25,7 @@ fn segments<R: Real>(y: &mut [R], x: &[R], f: impl Fn(&mut [R], &[R]) + Sync) {
 }
 
 /// `y += a x`
-pub(crate) fn add<R: Real>(y: &mut [R], a: f64, x: &[R]) {
+pub fn add<R: Real>(y: &mut [R], a: f64, x: &[R]) {
     let a = R::of(a);
     segments(y, x, |y, x| {
         vectorised(
@@ -61,12 +40,12 @@ pub(crate) fn add<R: Real>(y: &mut [R], a: f64, x: &[R]) {
 }
 
 /// `y -= a x`
-pub(crate) fn subtract<R: Real>(y: &mut [R], a: f64, x: &[R]) {
+pub fn subtract<R: Real>(y: &mut [R], a: f64, x: &[R]) {
     add(y, -a, x);
 }
 
 /// `y = x - y`
-pub(crate) fn subtract_from<R: Real>(x: &[R], y: &mut [R]) {
+pub fn subtract_from<R: Real>(x: &[R], y: &mut [R]) {
     segments(y, x, |y, x| {
         vectorised(
             #[inline(always)]
@@ -80,7 +59,7 @@ pub(crate) fn subtract_from<R: Real>(x: &[R], y: &mut [R]) {
 }
 
 /// `y = x + keep (x - y)`
-pub(crate) fn extrapolate<R: Real>(y: &mut [R], keep: f64, x: &[R]) {
+pub fn extrapolate<R: Real>(y: &mut [R], keep: f64, x: &[R]) {
     let keep = R::of(keep);
     segments(y, x, |y, x| {
         vectorised(
@@ -95,7 +74,7 @@ pub(crate) fn extrapolate<R: Real>(y: &mut [R], keep: f64, x: &[R]) {
 }
 
 /// `x += step p` and `p = z + beta p`, in one pass over `p`.
-pub(crate) fn advance(x: &mut [f64], step: f64, p: &mut [f64], beta: f64, z: &[f64]) {
+pub fn advance(x: &mut [f64], step: f64, p: &mut [f64], beta: f64, z: &[f64]) {
     let pass = |x: &mut [f64], p: &mut [f64], z: &[f64]| {
         vectorised(
             #[inline(always)]

@@ -6,14 +6,18 @@
 //! length. The order is fixed: the same input gives the same bits everywhere, on any number of threads, because
 //! threads take whole branches of the same tree.
 
-use crate::vector::{SEGMENT, vectorised, worth_threads};
+use crate::loops::{SEGMENT, worth_threads};
+use crate::vectorised::vectorised;
 
 /// Terms per block; long enough to hide the recursion, short enough for the bound.
 const BLOCK: usize = 256;
 const LANES: usize = 8;
 
 /// `x . y` for two vectors of one length.
-pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
+///
+/// # Panics
+/// They differ in length.
+pub fn dot(x: &[f64], y: &[f64]) -> f64 {
     assert_eq!(x.len(), y.len(), "vectors of one length");
     if worth_threads(x.len()) { branches(x, y) } else { serial(x, y) }
 }

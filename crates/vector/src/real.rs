@@ -1,18 +1,23 @@
 //! The numbers of a vector: of 64 bits, or of 32 where a few digits do.
 
 use crate::sums;
-use std::ops::{Add, Mul, Sub};
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// A number of 32 or 64 bits.
 pub trait Real:
     Copy
+    + Debug
     + Default
+    + PartialEq
     + Send
     + Sync
     + Into<f64>
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
     + 'static
 {
     /// The nearest one to a number.
@@ -23,6 +28,7 @@ pub trait Real:
 }
 
 impl Real for f64 {
+    #[inline]
     fn of(number: f64) -> Self {
         number
     }
@@ -33,6 +39,7 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    #[inline]
     fn of(number: f64) -> Self {
         number as f32
     }
