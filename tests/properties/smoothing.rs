@@ -46,6 +46,25 @@ pub(crate) fn steps_are_what_they_say<const D: usize, M: Model<D>>(
     level.relax([keep, size], &b, &x, &mut relaxed, &mut scratch);
     // Measured 1.4e-12, where a block is nearly singular.
     assert_close(&relaxed, &expected, largest(&expected), 1e-10, "a relaxed step");
+    numbers_of_32_bits_say_the_same(&system, [&b, &x, &r], scale);
+}
+
+/// Residual and step of a level in numbers of 32 bits.
+fn numbers_of_32_bits_say_the_same<const D: usize>(system: &System<D>, [b, x, r]: [&[f64]; 3], scale: f64) {
+    let level = Level::<D, f32>::coarse(system);
+    let single = |v: &[f64]| -> Vec<f32> { v.iter().map(|v| *v as f32).collect() };
+    let double = |v: &[f32]| -> Vec<f64> { v.iter().map(|v| f64::from(*v)).collect() };
+    let [b, x] = [b, x].map(single);
+    let mut found = vec![f32::NAN; b.len()];
+    level.residual(&b, &x, &mut found);
+    assert_close(&double(&found), r, scale, 1e-5, "b − A x in 32 bits");
+    // A step that keeps nothing of the last one is a step of the smoother from there.
+    let mut expected = x.clone();
+    level.smooth(0.7, &found, &mut expected);
+    let (mut relaxed, mut scratch) = (vec![0.0; b.len()], vec![f32::NAN; b.len()]);
+    level.relax([0.0, 0.7], &b, &x, &mut relaxed, &mut scratch);
+    let expected = double(&expected);
+    assert_close(&double(&relaxed), &expected, largest(&expected), 1e-3, "a step in 32 bits");
 }
 
 /// A step is the solution of the block of its point on the components that nothing constrains.

@@ -8,11 +8,13 @@
 //! All results are the same on every machine and any number of threads: sums have a fixed order, and no multiplication is
 //! fused with an addition.
 
+mod lanes;
 mod loops;
 mod real;
 mod sums;
 mod vectorised;
 
+pub use lanes::Lanes;
 pub use loops::{add, advance, extrapolate, subtract, subtract_from};
 pub use real::Real;
 pub use sums::dot;

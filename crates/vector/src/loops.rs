@@ -32,7 +32,7 @@ pub fn add<R: Real>(y: &mut [R], a: f64, x: &[R]) {
             #[inline(always)]
             || {
                 for (y, x) in y.iter_mut().zip(x) {
-                    *y = *y + a * *x;
+                    *y += a * *x;
                 }
             },
         );

@@ -48,7 +48,7 @@ pub use solid::{
     Cut, CutError, Face, Facet, Filled, Grid, GridError, Patch, SIDES, ShapeError, Side, SolidRegion,
     SolidShape, Surface, SurfaceError, Wall, WallKind, WallSide,
 };
-pub use transfer::{LevelTransfer, Transfer};
+pub use transfer::{Interpolation, LevelTransfer, Transfer};
 
 /// Positions this close to a border lie on it, in spacings.
 pub const BORDER: f64 = 1e-9;

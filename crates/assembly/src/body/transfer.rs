@@ -9,6 +9,7 @@ mod build;
 
 use super::lattice::{Cell, SquareLattice};
 use build::{candidates, coarse_side, fine_side};
+use peristat_vector::Real;
 use rayon::prelude::*;
 use std::array::from_fn;
 use std::ops::Range;
@@ -19,21 +20,26 @@ const FEW: usize = 8192;
 const PART: usize = 16;
 
 /// Interpolation of vectors of component planes from the points of a coarse level to those of a fine one.
-pub trait LevelTransfer: Send + Sync {
+pub trait Interpolation<R> {
     /// Overwrites a vector of the coarse level with what the transpose collects from one of the fine level.
-    fn restrict_all(&self, fine: &[f64], coarse: &mut [f64]);
+    fn restrict_all(&self, fine: &[R], coarse: &mut [R]);
 
     /// Adds to a vector of the fine level what is interpolated from one of the coarse level.
-    fn prolong_all(&self, coarse: &[f64], fine: &mut [f64]);
+    fn prolong_all(&self, coarse: &[R], fine: &mut [R]);
 }
 
-impl LevelTransfer for Transfer {
-    fn restrict_all(&self, fine: &[f64], coarse: &mut [f64]) {
+/// The same in numbers of 64 and of 32 bits.
+pub trait LevelTransfer: Interpolation<f64> + Interpolation<f32> + Send + Sync {}
+
+impl<T: Interpolation<f64> + Interpolation<f32> + Send + Sync> LevelTransfer for T {}
+
+impl<R: Real> Interpolation<R> for Transfer {
+    fn restrict_all(&self, fine: &[R], coarse: &mut [R]) {
         let planes = fine.chunks_exact(self.fine.points).zip(coarse.chunks_exact_mut(self.coarse.points));
         planes.for_each(|(fine, coarse)| self.restrict(fine, coarse));
     }
 
-    fn prolong_all(&self, coarse: &[f64], fine: &mut [f64]) {
+    fn prolong_all(&self, coarse: &[R], fine: &mut [R]) {
         let planes = fine.chunks_exact_mut(self.fine.points).zip(coarse.chunks_exact(self.coarse.points));
         planes.for_each(|(fine, coarse)| self.prolong_add(coarse, fine));
     }
@@ -111,7 +117,7 @@ impl Transfer {
     }
 
     /// Adds to one value per fine point what is interpolated from one per coarse point.
-    pub fn prolong_add(&self, coarse: &[f64], fine: &mut [f64]) {
+    pub fn prolong_add<R: Real>(&self, coarse: &[R], fine: &mut [R]) {
         match self.fine.lines {
             2 => self.prolong_pairs(coarse, fine, [0.75, 0.25]),
             _ => self.prolong_pairs(coarse, fine, [9.0, 3.0, 3.0, 1.0].map(|w| w / 16.0)),
@@ -120,34 +126,42 @@ impl Transfer {
     }
 
     /// What pairs of cells with the ordinary weights get, from lines with these.
-    fn prolong_pairs<const LINES: usize>(&self, coarse: &[f64], fine: &mut [f64], weights: [f64; LINES]) {
+    fn prolong_pairs<const LINES: usize, R: Real>(
+        &self,
+        coarse: &[R],
+        fine: &mut [R],
+        weights: [f64; LINES],
+    ) {
+        let (weights, near, far) = (weights.map(R::of), R::of(0.75), R::of(0.25));
         self.fine.each(fine, |first, own, stretch, others| {
             let cells = stretch.cells as usize;
-            let lines: [&[f64]; LINES] = from_fn(|k| &coarse[others[k] as usize - 1..][..cells + 2]);
+            let lines: [&[R]; LINES] = from_fn(|k| &coarse[others[k] as usize - 1..][..cells + 2]);
             let own = &mut own[stretch.first as usize - first..][..2 * cells];
             for (k, pair) in own.chunks_exact_mut(2).enumerate() {
-                let more = |sum: f64, line: usize, k: usize| sum + weights[line] * lines[line][k];
+                let more = |sum: R, line: usize, k: usize| sum + weights[line] * lines[line][k];
                 let at = |k: usize| (1..LINES).fold(weights[0] * lines[0][k], |sum, line| more(sum, line, k));
-                let middle = 0.75 * at(k + 1);
-                pair[0] += middle + 0.25 * at(k);
-                pair[1] += middle + 0.25 * at(k + 2);
+                let middle = near * at(k + 1);
+                pair[0] += middle + far * at(k);
+                pair[1] += middle + far * at(k + 2);
             }
         });
     }
 
     /// Overwrites one value per coarse point with what the transpose collects from one per fine point.
-    pub fn restrict(&self, fine: &[f64], coarse: &mut [f64]) {
-        coarse.fill(0.0);
+    pub fn restrict<R: Real>(&self, fine: &[R], coarse: &mut [R]) {
+        coarse.fill(R::default());
         const ROWS: [f64; 4] = [0.25, 0.75, 0.75, 0.25];
         let of_layer = |layer: f64| ROWS.map(|row| layer * row);
         let weights = if self.coarse.lines == 4 { ROWS.to_vec() } else { ROWS.map(of_layer).concat() };
+        let (near, far) = (R::of(0.75), R::of(0.25));
         self.coarse.each(coarse, |first, own, stretch, others| {
             let own = &mut own[stretch.first as usize - first..][..stretch.cells as usize];
             for (&other, weight) in others.iter().zip(&weights) {
+                let weight = R::of(*weight);
                 let row = &fine[other as usize - 1..][..2 * stretch.cells as usize + 2];
                 for (k, sum) in own.iter_mut().enumerate() {
                     let f = &row[2 * k..2 * k + 4];
-                    *sum += weight * (0.25 * (f[0] + f[3]) + 0.75 * (f[1] + f[2]));
+                    *sum += weight * (far * (f[0] + f[3]) + near * (f[1] + f[2]));
                 }
             }
         });
@@ -157,7 +171,7 @@ impl Transfer {
 
 impl Side {
     /// Calls `work` with the first point and the values of a part of the points, and with every stretch in it and its others.
-    fn each(&self, values: &mut [f64], work: impl Fn(usize, &mut [f64], &Stretch, &[u32]) + Sync) {
+    fn each<R: Real>(&self, values: &mut [R], work: impl Fn(usize, &mut [R], &Stretch, &[u32]) + Sync) {
         let mut rest = &mut values[..self.points];
         let mut parts = Vec::new();
         for runs in self.runs.chunks(PART) {
@@ -166,7 +180,7 @@ impl Side {
             rest = left;
             parts.push((runs, own));
         }
-        let part = |(runs, own): (&[Share], &mut [f64])| {
+        let part = |(runs, own): (&[Share], &mut [R])| {
             let first = runs[0].points.start;
             let stretches = runs.iter().flat_map(|run| &self.stretches[run.stretches.clone()]);
             let others = |stretch: &Stretch| &self.others[stretch.others as usize..][..self.lines];
@@ -179,11 +193,11 @@ impl Side {
     }
 
     /// Adds what the points with weights of their own take.
-    fn add_special(&self, from: &[f64], to: &mut [f64]) {
+    fn add_special<R: Real>(&self, from: &[R], to: &mut [R]) {
         let mut begin = 0;
         for &(point, end) in &self.special {
             let entries = &self.entries[begin as usize..end as usize];
-            to[point as usize] += entries.iter().map(|&(p, w)| w * from[p as usize]).sum::<f64>();
+            to[point as usize] += R::of(entries.iter().map(|&(p, w)| w * from[p as usize].into()).sum());
             begin = end;
         }
     }

@@ -4,6 +4,7 @@
 //! numbering of `u`: the entries of constrained unknowns are inert and zero.
 
 use crate::sum::Sum;
+use peristat_vector::Real;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use thiserror::Error;
 
@@ -183,11 +184,11 @@ impl Constraints {
     }
 
     /// Turns `q` into `u = T q + factor · g` in place.
-    pub fn expand(&self, factor: f64, u: &mut [f64]) {
+    pub fn expand<R: Real>(&self, factor: f64, u: &mut [R]) {
         for row in &self.rows {
             // Masters are independent, so the order of the rows does not matter.
-            let slaved: f64 = row.masters.iter().map(|&(m, c)| c * u[m]).sum();
-            u[row.unknown] = slaved + factor * row.value;
+            let slaved: f64 = row.masters.iter().map(|&(m, c)| c * u[m].into()).sum();
+            u[row.unknown] = R::of(slaved + factor * row.value);
         }
     }
 
@@ -224,10 +225,10 @@ impl Constraints {
     }
 
     /// Turns a force on `u` into the force `Tᵀ f` on `q` in place.
-    pub fn restrict(&self, force: &mut [f64]) {
+    pub fn restrict<R: Real>(&self, force: &mut [R]) {
         for row in &self.rows {
             let held = std::mem::take(&mut force[row.unknown]);
-            row.masters.iter().for_each(|&(m, c)| force[m] += c * held);
+            row.masters.iter().for_each(|&(m, c)| force[m] += R::of(c * held.into()));
         }
     }
 }

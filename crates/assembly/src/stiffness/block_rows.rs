@@ -2,22 +2,23 @@
 
 use super::{BlockMatrix, Term};
 use crate::bonds::Mat;
+use peristat_vector::Real;
 use std::array::from_fn;
 use std::ops::Range;
 
 /// Symmetric matrix of D × D blocks, most rows of which are zero.
-#[derive(Clone, Debug, Default)]
-pub struct BlockRows<const D: usize> {
+#[derive(Clone, Debug)]
+pub struct BlockRows<const D: usize, R = f64> {
     points: usize,
     /// Points with a row, in order, and the ends of their entries.
     rows: Vec<(u32, u32)>,
-    entries: Vec<(u32, Mat<D, D>)>,
+    entries: Vec<(u32, [[R; D]; D])>,
 }
 
-impl<const D: usize> BlockRows<D> {
+impl<const D: usize, R: Real> BlockRows<D, R> {
     /// The tangent of some terms of a body of `points` points.
     pub fn new(points: usize, terms: &[Box<dyn Term<D>>]) -> Self {
-        let mut rows = Self { points, ..Self::default() };
+        let mut rows = Self { points, rows: Vec::new(), entries: Vec::new() };
         if terms.iter().all(|t| t.elements() == 0) {
             return rows;
         }
@@ -42,14 +43,14 @@ impl<const D: usize> BlockRows<D> {
                 Some(last) if last.0 == row => last.1 += 1,
                 _ => rows.rows.push((row, rows.entries.len() as u32 + 1)),
             }
-            rows.entries.push((column, block));
+            rows.entries.push((column, block.map(|row| row.map(R::of))));
         }
         rows
     }
 
     /// Subtracts from `r`, the values on the points of a range by component, the product with `x`.
     #[inline]
-    pub fn subtract_product<const W: usize>(&self, points: Range<usize>, x: &[f64], r: &mut [[f64; W]; D]) {
+    pub fn subtract_product<const W: usize>(&self, points: Range<usize>, x: &[R], r: &mut [[R; W]; D]) {
         let begin = self.rows.partition_point(|row| (row.0 as usize) < points.start);
         for k in begin..self.rows.len() {
             let (point, end) = self.rows[k];
@@ -61,7 +62,7 @@ impl<const D: usize> BlockRows<D> {
             for (column, block) in &self.entries[from as usize..end as usize] {
                 for c in 0..D {
                     let value = x[c * self.points + *column as usize];
-                    (0..D).for_each(|row| r[row][at] -= block[row][c] * value);
+                    (0..D).for_each(|row| r[row][at] = r[row][at] - block[row][c] * value);
                 }
             }
         }

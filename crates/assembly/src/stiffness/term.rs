@@ -37,7 +37,7 @@ impl<const D: usize> Survey<D> {
 
 /// Takes the forces on a few consecutive points: the number of the first, the forces and the part of a vector to be
 /// written that belongs to these points, both by component.
-pub type TakeForces<'a, const D: usize> = &'a (dyn Fn(usize, [&[f64]; D], [&mut [f64]; D]) + Sync);
+pub type TakeForces<'a, const D: usize, R = f64> = &'a (dyn Fn(usize, [&[R]; D], [&mut [R]; D]) + Sync);
 
 /// An unknown in a sum: component, point, coefficient.
 pub type Share = (usize, usize, f64);
@@ -84,6 +84,16 @@ pub trait Term<const D: usize>: Send + Sync {
     /// Hands the internal force to `take`, stretch by stretch over all points, each with its part of `out`: what is made
     /// of the forces is then written while they are at hand. `false` if the term does not go from point to point.
     fn sweep(&self, _u: &[f64], _out: &mut [f64], _take: TakeForces<'_, D>) -> bool {
+        false
+    }
+
+    /// The same in numbers of 32 bits.
+    fn sweep_in_single(&self, _u: &[f32], _out: &mut [f32], _take: TakeForces<'_, D, f32>) -> bool {
+        false
+    }
+
+    /// Whether it can do that.
+    fn sweeps_in_single(&self) -> bool {
         false
     }
 
@@ -138,6 +148,14 @@ impl<const D: usize, T: Term<D> + ?Sized> Term<D> for Arc<T> {
 
     fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
         (**self).sweep(u, out, take)
+    }
+
+    fn sweep_in_single(&self, u: &[f32], out: &mut [f32], take: TakeForces<'_, D, f32>) -> bool {
+        (**self).sweep_in_single(u, out, take)
+    }
+
+    fn sweeps_in_single(&self) -> bool {
+        (**self).sweeps_in_single()
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {

@@ -2,6 +2,7 @@
 //! use forces while they are at hand.
 
 use super::System;
+use super::in_precision::InPrecision;
 use crate::bonds::Mat;
 use crate::condition::Row;
 use crate::stiffness::planes::for_each_stretch;
@@ -19,16 +20,16 @@ const STRETCH: usize = 64;
 ///
 /// Where the elements of all terms but the first, the bonds of a lattice, are few (overlays, springs), these are assembled: that is
 /// good enough for a preconditioner. Those of solids, whose elements join dozens of points each, are evaluated one by one.
-pub struct Level<'a, const D: usize> {
+pub struct Level<'a, const D: usize, R = f64> {
     system: &'a System<D>,
-    others: BlockRows<D>,
+    others: BlockRows<D, R>,
     /// Whether these are too many to be assembled.
     is_wide: bool,
     /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is held, one where it depends on others.
-    inverse: Vec<f64>,
+    inverse: Vec<R>,
 }
 
-impl<'a, const D: usize> Level<'a, D> {
+impl<'a, const D: usize, R: InPrecision> Level<'a, D, R> {
     /// Inverts the diagonal blocks.
     ///
     /// # Errors
@@ -48,10 +49,11 @@ impl<'a, const D: usize> Level<'a, D> {
         let others = &system.terms()[1..];
         let is_wide = others.iter().any(|term| term.joins_many());
         let others = BlockRows::new(system.points(), if is_wide { &[] } else { others });
-        let (mut inverse, loose) = system.inverse_blocks();
+        let (inverse, loose) = system.inverse_blocks();
+        let mut inverse: Vec<R> = inverse.into_iter().map(R::of).collect();
         for row in system.constraints.rows().iter().filter(|row| !row.masters.is_empty()) {
             let (point, c) = (row.unknown % system.points, row.unknown / system.points);
-            inverse[(c * D + c) * system.points + point] = 1.0;
+            inverse[(c * D + c) * system.points + point] = R::of(1.0);
         }
         (Self { system, others, is_wide, inverse }, loose)
     }
@@ -62,10 +64,10 @@ impl<'a, const D: usize> Level<'a, D> {
         for unknown in unknowns {
             let (point, c) = (unknown % n, unknown / n);
             for other in 0..D {
-                self.inverse[(other * D + c) * n + point] = 0.0;
-                self.inverse[(c * D + other) * n + point] = 0.0;
+                self.inverse[(other * D + c) * n + point] = R::default();
+                self.inverse[(c * D + other) * n + point] = R::default();
             }
-            self.inverse[(c * D + c) * n + point] = unit;
+            self.inverse[(c * D + c) * n + point] = R::of(unit);
         }
     }
 
@@ -75,57 +77,57 @@ impl<'a, const D: usize> Level<'a, D> {
     }
 
     /// `x += scale M⁻¹ r`
-    pub fn smooth(&self, scale: f64, r: &[f64], x: &mut [f64]) {
-        for_each_stretch::<D>(x, STRETCH, |first, own| {
-            let mut at = [[0.0; STRETCH]; D];
+    pub fn smooth(&self, scale: f64, r: &[R], x: &mut [R]) {
+        for_each_stretch::<D, R>(x, STRETCH, |first, mut own| {
+            let mut at = [[R::default(); STRETCH]; D];
             let width = own[0].len();
             (0..D)
                 .for_each(|c| at[c][..width].copy_from_slice(&r[c * self.system.points + first..][..width]));
-            self.add_inverse(first, scale, &at, own);
+            vectorised(
+                #[inline(always)]
+                || self.add_inverse(first, R::of(scale), &at, own.each_mut().map(|own| &mut **own)),
+            );
         });
         self.expand(x);
     }
 
     /// Writes what dependent unknowns are over them.
-    pub fn expand(&self, x: &mut [f64]) {
+    pub fn expand(&self, x: &mut [R]) {
         if self.system.constraints.has_slaves() {
             self.system.constraints.expand(0.0, x);
         }
     }
 
     /// Writes `b − A x` over `r`.
-    pub fn residual(&self, b: &[f64], x: &[f64], r: &mut [f64]) {
+    pub fn residual(&self, b: &[R], x: &[R], r: &mut [R]) {
         let fused = self.sweep(x, r, &|first, forces, own| {
-            let at = self.residual_at(first, b, x, forces);
+            let at = vectorised(
+                #[inline(always)]
+                || self.residual_at(first, b, x, forces),
+            );
             own.into_iter().zip(&at).for_each(|(own, r)| own.copy_from_slice(&r[..own.len()]));
         });
         if fused {
             self.system.constraints.restrict(r);
         } else {
-            self.system.product(x, r);
-            r.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
+            R::multiply(self.system, x, r);
+            r.iter_mut().zip(b).for_each(|(r, b)| *r = *b - *r);
         }
     }
 
     /// Writes `x + keep (x − previous) + scale M⁻¹ (b − A x)` over `previous`.
-    pub fn relax(
-        &self,
-        [keep, scale]: [f64; 2],
-        b: &[f64],
-        x: &[f64],
-        previous: &mut [f64],
-        scratch: &mut [f64],
-    ) {
+    pub fn relax(&self, [keep, scale]: [f64; 2], b: &[R], x: &[R], previous: &mut [R], scratch: &mut [R]) {
         let n = self.system.points;
-        let finish = |first: usize, r: &[[f64; STRETCH]; D], mut own: [&mut [f64]; D]| {
+        let [keep, scale] = [keep, scale].map(R::of);
+        let finish = |first: usize, r: &[[R; STRETCH]; D], mut own: [&mut [R]; D]| {
             for (c, own) in own.iter_mut().enumerate() {
                 let x = &x[c * n + first..][..own.len()];
-                own.iter_mut().zip(x).for_each(|(own, x)| *own = x + keep * (x - *own));
+                own.iter_mut().zip(x).for_each(|(own, x)| *own = *x + keep * (*x - *own));
             }
             self.add_inverse(first, scale, r, own);
         };
         let slaves: Vec<&Row> = self.slaves().collect();
-        let moved: Vec<f64> =
+        let moved: Vec<R> =
             slaves.iter().map(|s| x[s.unknown] + keep * (x[s.unknown] - previous[s.unknown])).collect();
         let fused = self.sweep(x, previous, &|first, forces, mut own| {
             vectorised(
@@ -144,14 +146,14 @@ impl<'a, const D: usize> Level<'a, D> {
                     let (point, column) = (m % n, m / n);
                     for row in 0..D {
                         previous[row * n + point] +=
-                            self.inverse[(row * D + column) * n + point] * share * residual;
+                            self.inverse[(row * D + column) * n + point] * R::of(share) * residual;
                     }
                 });
             }
         } else {
             self.residual(b, x, scratch);
-            for_each_stretch::<D>(previous, STRETCH, |first, own| {
-                let mut r = [[0.0; STRETCH]; D];
+            for_each_stretch::<D, R>(previous, STRETCH, |first, own| {
+                let mut r = [[R::default(); STRETCH]; D];
                 let width = own[0].len();
                 (0..D).for_each(|c| r[c][..width].copy_from_slice(&scratch[c * n + first..][..width]));
                 finish(first, &r, own);
@@ -161,8 +163,8 @@ impl<'a, const D: usize> Level<'a, D> {
     }
 
     /// Hands the forces of the first term to `take`, where those of all others are at hand.
-    fn sweep(&self, x: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
-        !self.is_wide && self.system.terms[0].sweep(x, out, take)
+    fn sweep(&self, x: &[R], out: &mut [R], take: TakeForces<'_, D, R>) -> bool {
+        !self.is_wide && R::sweep(self.system.terms[0].as_ref(), x, out, take)
     }
 
     /// Rows of unknowns that depend on others.
@@ -172,12 +174,12 @@ impl<'a, const D: usize> Level<'a, D> {
 
     /// `b − A x` on a stretch of points, given the forces of the first term.
     #[inline(always)]
-    fn residual_at(&self, first: usize, b: &[f64], x: &[f64], forces: [&[f64]; D]) -> [[f64; STRETCH]; D] {
+    fn residual_at(&self, first: usize, b: &[R], x: &[R], forces: [&[R]; D]) -> [[R; STRETCH]; D] {
         let (n, width) = (self.system.points, forces[0].len());
-        let mut r = [[0.0; STRETCH]; D];
+        let mut r = [[R::default(); STRETCH]; D];
         for c in 0..D {
             let b = &b[c * n + first..][..width];
-            r[c].iter_mut().zip(b.iter().zip(forces[c])).for_each(|(r, (b, f))| *r = b - f);
+            r[c].iter_mut().zip(b.iter().zip(forces[c])).for_each(|(r, (b, f))| *r = *b - *f);
         }
         self.others.subtract_product(first..first + width, x, &mut r);
         r
@@ -185,19 +187,25 @@ impl<'a, const D: usize> Level<'a, D> {
 
     /// Adds `scale M⁻¹ r` on a stretch of points.
     #[inline(always)]
-    fn add_inverse(&self, first: usize, scale: f64, r: &[[f64; STRETCH]; D], own: [&mut [f64]; D]) {
+    fn add_inverse(&self, first: usize, scale: R, r: &[[R; STRETCH]; D], own: [&mut [R]; D]) {
         let n = self.system.points;
         for (row, own) in own.into_iter().enumerate() {
             for column in 0..D {
                 let inverse = &self.inverse[(row * D + column) * n + first..][..own.len()];
                 let entries = own.iter_mut().zip(inverse.iter().zip(&r[column]));
-                entries.for_each(|(own, (inverse, r))| *own += scale * (inverse * r));
+                entries.for_each(|(own, (inverse, r))| *own += scale * (*inverse * *r));
             }
         }
     }
 }
 
 impl<const D: usize> System<D> {
+    /// Whether a level of it in numbers of 32 bits goes from point to point.
+    pub fn sweeps_in_single(&self) -> bool {
+        let [first, others @ ..] = self.terms() else { return false };
+        first.sweeps_in_single() && !others.iter().any(|term| term.joins_many())
+    }
+
     /// Diagonal blocks of the constrained stiffness, without what a master shares with its slaves.
     pub fn diagonal_blocks(&self) -> Vec<Mat<D, D>> {
         let mut blocks = vec![[[0.0; D]; D]; self.points];

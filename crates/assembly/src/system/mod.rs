@@ -1,11 +1,13 @@
 //! A body ready to be solved: terms, constraints, operator, reactions.
 
 mod elimination;
+mod in_precision;
 mod level;
 mod mobility;
 mod pattern;
 mod scatter;
 
+pub use in_precision::InPrecision;
 pub use level::{Level, inverse_of};
 pub use mobility::{FreeMotion, PartMotion, free_motions, sprung_motions};
 pub use pattern::DifferencePattern;

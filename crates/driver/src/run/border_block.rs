@@ -5,8 +5,9 @@
 //! a small factor.
 
 use super::solve_failure::SolveFailure;
-use peristat_assembly::system::{Level, System};
+use peristat_assembly::system::{InPrecision, Level, System};
 use peristat_solve::{Ordering, Preconditioner, SparseCholesky};
+use peristat_vector::Real;
 use std::sync::{Mutex, MutexGuard};
 
 /// The factor of the stiffness of a strip.
@@ -48,28 +49,28 @@ impl BorderBlock {
     }
 
     /// Leaves the strip of a level to the factor.
-    pub(super) fn lay_bare<const D: usize>(&self, level: &mut Level<D>) {
+    pub(super) fn lay_bare<const D: usize, R: InPrecision>(&self, level: &mut Level<D, R>) {
         level.lay_bare(&self.unknowns, self.unit);
     }
 
     /// `step` adds `scale M⁻¹ r` to what `before` says of an unknown, with the stand-in of the level in the strip; puts what
     /// the factor has in its place.
-    pub(super) fn take(
+    pub(super) fn take<R: Real>(
         &self,
-        before: &dyn Fn(usize, f64) -> f64,
-        x: &mut [f64],
-        step: impl FnOnce(&mut [f64]),
+        before: &dyn Fn(usize, R) -> R,
+        x: &mut [R],
+        step: impl FnOnce(&mut [R]),
     ) {
         let mut room = self.room();
         let Room { factor, before: kept, forces, moved } = &mut *room;
-        kept.iter_mut().zip(&self.unknowns).for_each(|(kept, &k)| *kept = before(k, x[k]));
+        kept.iter_mut().zip(&self.unknowns).for_each(|(kept, &k)| *kept = before(k, x[k]).into());
         step(x);
         for ((force, kept), &k) in forces.iter_mut().zip(&*kept).zip(&self.unknowns) {
-            *force = (x[k] - kept) / self.unit;
+            *force = (x[k].into() - kept) / self.unit;
         }
         factor.apply(forces, moved);
         for ((moved, kept), &k) in moved.iter().zip(&*kept).zip(&self.unknowns) {
-            x[k] = kept + moved;
+            x[k] = R::of(kept + moved);
         }
     }
 }

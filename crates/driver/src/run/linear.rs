@@ -20,6 +20,8 @@ pub struct LinearSolver<'a, const D: usize> {
     work: Workspace<D>,
     report: SolverReport,
     counters: Counters,
+    /// What its cycle of 32 bits is of, if it is one.
+    rounded: Option<(&'a System<D>, &'a Coarser<D>)>,
 }
 
 /// Who iterates.
@@ -55,9 +57,9 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     ) -> Result<Self, SolveFailure> {
         let mut counters = Counters::default();
         let method = method::method(problem, system, coarser, timing, &mut counters)?;
-        let Method { preconditioner, report, finish } = method;
+        let Method { preconditioner, report, finish, rounded } = method;
         let way = Way::Alone(preconditioner);
-        Ok(Self { way, finish, work: Workspace::new(problem, system), report, counters })
+        Ok(Self { way, finish, work: Workspace::new(problem, system), report, counters, rounded })
     }
 
     /// Iterations whose work several processes share.
@@ -68,15 +70,15 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     ) -> Self {
         let (report, work) = (solver.report(), Workspace::new(problem, system));
         let (way, finish) = (Way::Shared(solver), Finish::of_cycle());
-        Self { way, finish, work, report, counters: Counters::default() }
+        Self { way, finish, work, report, counters: Counters::default(), rounded: None }
     }
 
-    /// Whether its preconditioner is a factor.
-    pub(super) fn has_factor(&self) -> bool {
-        self.finish.is_exact
+    /// Whether something else is worth a try where it left too few digits.
+    pub(super) fn can_fall_back(&self, problem: &dyn Problem<D>) -> bool {
+        self.rounded.is_some() || !self.finish.is_exact && method::can_fall_back(problem)
     }
 
-    /// Takes a factor instead of a method that left too few digits.
+    /// Takes a cycle of 64 bits instead of one of 32, or a factor instead of a cycle.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has none.
@@ -86,8 +88,13 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         system: &System<D>,
         timing: &mut Timing,
     ) -> Result<(), SolveFailure> {
-        let Method { preconditioner, report, finish } =
-            method::of_factor(problem, system, timing, &mut self.counters)?;
+        let Method { preconditioner, report, finish, .. } = match self.rounded.take() {
+            Some(of) => {
+                let reason = "in numbers of 64 bits".into();
+                method::of_cycle(of, false, reason, timing, &mut self.counters)?
+            }
+            None => method::of_factor(problem, system, timing, &mut self.counters)?,
+        };
         let reason = format!("{} left too few digits; {}", self.report.method, report.reason);
         let mut iterations = std::mem::take(&mut self.report.iterations);
         // The state is solved again.

@@ -5,6 +5,7 @@ use super::cubic_cycle;
 use super::factor;
 use super::multigrid;
 use super::problem::{Spread, TOO_MANY_POINTS};
+use super::single_cycle;
 use super::solve_failure::SolveFailure;
 use super::solver_report::SolverReport;
 use super::{Counters, Problem, Timing};
@@ -21,10 +22,12 @@ const MANY_SIDES: usize = 30;
 const MOST_CONTRAST: f64 = 10.0;
 
 /// What a right-hand side is solved with.
-pub(super) struct Method<'a> {
+pub(super) struct Method<'a, const D: usize> {
     pub(super) preconditioner: Box<dyn Preconditioner + 'a>,
     pub(super) report: SolverReport,
     pub(super) finish: Finish,
+    /// What a cycle of 32 bits is of: one of 64 bits is next where it leaves too few digits.
+    pub(super) rounded: Option<(&'a System<D>, &'a Coarser<D>)>,
 }
 
 /// When conjugate gradients have done enough.
@@ -135,7 +138,7 @@ pub(super) fn method<'a, const D: usize>(
     coarser: Option<&'a Coarser<D>>,
     timing: &mut Timing,
     counters: &mut Counters,
-) -> Result<Method<'a>, SolveFailure> {
+) -> Result<Method<'a, D>, SolveFailure> {
     let (asked, points) = (problem.solver(), system.points());
     let because = |reason: String| if asked == Solver::Auto { reason } else { "the case asks for it".into() };
     match (plan(problem), coarser) {
@@ -143,7 +146,7 @@ pub(super) fn method<'a, const D: usize>(
             let reason = format!(
                 "{points} points of a lattice: coarser lattices are a better preconditioner than a factor"
             );
-            of_cycle(system, coarser, because(reason), timing, counters)
+            of_cycle((system, coarser), may_round(system, coarser), because(reason), timing, counters)
                 .or_else(|_| of_factor(problem, system, timing, counters))
         }
         (Plan::Blocks, _) => {
@@ -167,7 +170,7 @@ pub(super) fn of_factor<'a, const D: usize>(
     system: &System<D>,
     timing: &mut Timing,
     counters: &mut Counters,
-) -> Result<Method<'a>, SolveFailure> {
+) -> Result<Method<'a, D>, SolveFailure> {
     let positions = problem.positions();
     let (preconditioner, mut report) =
         factor::factor(system, problem.solver(), positions.as_deref(), timing, counters)?;
@@ -186,7 +189,7 @@ pub(super) fn of_factor<'a, const D: usize>(
             ),
         };
     }
-    Ok(Method { preconditioner, report, finish: Finish::of_factor() })
+    Ok(Method { preconditioner, report, finish: Finish::of_factor(), rounded: None })
 }
 
 /// Points of a solid whose factor is worth its memory where nothing else converges.
@@ -201,15 +204,28 @@ pub(super) fn can_fall_back<const D: usize>(problem: &dyn Problem<D>) -> bool {
     plan(problem) != Plan::Factor && problem.solver() == Solver::Auto && problem.model().points() <= most
 }
 
-fn of_cycle<'a, const D: usize>(
-    system: &'a System<D>,
-    coarser: &'a Coarser<D>,
+/// Whether a cycle in numbers of 32 bits is the first choice.
+fn may_round<const D: usize>(system: &System<D>, coarser: &Coarser<D>) -> bool {
+    matches!(coarser, Coarser::Models(models) if single_cycle::suits(system, models))
+}
+
+/// A multigrid cycle; of models of coarser bodies in numbers of 32 bits where it is to be `rounded`.
+///
+/// # Errors
+/// [`SolveFailure`] if a point is not held by its bonds, or the coarsest level has no factor.
+pub(super) fn of_cycle<'a, const D: usize>(
+    (system, coarser): (&'a System<D>, &'a Coarser<D>),
+    rounded: bool,
     reason: String,
     timing: &mut Timing,
     counters: &mut Counters,
-) -> Result<Method<'a>, SolveFailure> {
+) -> Result<Method<'a, D>, SolveFailure> {
     let begin = Instant::now();
     let (preconditioner, factor_entries): (Box<dyn Preconditioner + 'a>, usize) = match coarser {
+        Coarser::Models(models) if rounded => {
+            let (cycle, entries) = single_cycle::cycle(system, models, counters)?;
+            (Box::new(cycle), entries)
+        }
         Coarser::Models(models) => {
             let (cycle, entries) = multigrid::cycle(system, models, counters)?;
             (Box::new(cycle), entries)
@@ -223,14 +239,15 @@ fn of_cycle<'a, const D: usize>(
     counters.factor_bytes = factor_entries * size_of::<f64>();
     let report =
         SolverReport { method: "multigrid".into(), reason, factor_entries, ..SolverReport::default() };
-    Ok(Method { preconditioner, report, finish: Finish::of_cycle() })
+    let rounded = rounded.then_some((system, coarser));
+    Ok(Method { preconditioner, report, finish: Finish::of_cycle(), rounded })
 }
 
 fn of_blocks<'a, const D: usize>(
     system: &'a System<D>,
     reason: String,
     timing: &mut Timing,
-) -> Result<Method<'a>, SolveFailure> {
+) -> Result<Method<'a, D>, SolveFailure> {
     let begin = Instant::now();
     let level = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
     timing.factor = begin.elapsed().as_secs_f64();
@@ -238,7 +255,8 @@ fn of_blocks<'a, const D: usize>(
         SolverReport { method: "block_jacobi".into(), reason, factor_entries: 0, ..SolverReport::default() };
     // About 1300 iterations at 1e5 points in the plane, growing with the number of points along a side.
     let limit = 1000 + 20 * (system.points() as f64).sqrt() as usize;
-    Ok(Method { preconditioner: Box::new(Blocks(level)), report, finish: Finish::of_blocks(limit) })
+    let preconditioner = Box::new(Blocks(level));
+    Ok(Method { preconditioner, report, finish: Finish::of_blocks(limit), rounded: None })
 }
 
 /// The inverse of the diagonal blocks.

@@ -38,6 +38,7 @@ pub(crate) mod scan;
 mod scene_sizes;
 mod scenes;
 mod shared_solver;
+mod single_cycle;
 mod sink;
 mod solve_failure;
 mod solved_state;

@@ -5,13 +5,13 @@ use super::border_block::BorderBlock;
 use super::coarser::CoarserModels;
 use super::factor::lifted;
 use super::solve_failure::SolveFailure;
-use peristat_assembly::body::LevelTransfer;
-use peristat_assembly::system::{Level, System};
+use peristat_assembly::body::{Interpolation, LevelTransfer};
+use peristat_assembly::system::{InPrecision, Level, System};
 use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky};
 
 /// All levels of a problem.
-pub(super) struct Levels<'a, const D: usize> {
-    levels: Vec<Level<'a, D>>,
+pub(super) struct Levels<'a, const D: usize, R = f64> {
+    levels: Vec<Level<'a, D, R>>,
     transfers: &'a [Box<dyn LevelTransfer>],
     /// What smooths beside a border that cuts cells.
     block: Option<BorderBlock>,
@@ -47,14 +47,14 @@ pub(super) fn options<const D: usize>(coarser: &CoarserModels<D>) -> MultigridOp
     options
 }
 
-impl<'a, const D: usize> Levels<'a, D> {
+impl<'a, const D: usize, R: InPrecision> Levels<'a, D, R> {
     /// The levels below a finest one, whose points `beside` a border are smoothed together; with the factor of the coarsest level,
     /// and the entries of all factors.
     ///
     /// # Errors
     /// [`SolveFailure`] if the coarsest level or the points beside the border have no factor.
     pub(super) fn below(
-        mut finest: Level<'a, D>,
+        mut finest: Level<'a, D, R>,
         coarser: &'a CoarserModels<D>,
         beside: &[usize],
         counters: &mut Counters,
@@ -78,8 +78,11 @@ impl<'a, const D: usize> Levels<'a, D> {
     }
 }
 
-impl<const D: usize> Hierarchy for Levels<'_, D> {
-    type Real = f64;
+impl<'a, const D: usize, R: InPrecision> Hierarchy for Levels<'a, D, R>
+where
+    dyn LevelTransfer + 'a: Interpolation<R>,
+{
+    type Real = R;
 
     fn depth(&self) -> usize {
         self.levels.len()
@@ -89,11 +92,11 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
         self.levels[level].system().size()
     }
 
-    fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
-        self.levels[level].system().product(x, y);
+    fn apply(&self, level: usize, x: &[R], y: &mut [R]) {
+        R::multiply(self.levels[level].system(), x, y);
     }
 
-    fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
+    fn smooth(&self, level: usize, scale: f64, r: &[R], x: &mut [R]) {
         match &self.block {
             Some(block) if level == 0 => {
                 block.take(&|_, x| x, x, |x| self.levels[0].smooth(scale, r, x));
@@ -103,25 +106,18 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
         }
     }
 
-    fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
+    fn residual(&self, level: usize, b: &[R], x: &[R], r: &mut [R]) {
         self.levels[level].residual(b, x, r);
     }
 
-    fn relax(
-        &self,
-        level: usize,
-        step: Relaxation,
-        b: &[f64],
-        x: &[f64],
-        previous: &mut [f64],
-        scratch: &mut [f64],
-    ) {
-        let mut take = |previous: &mut [f64]| {
+    fn relax(&self, level: usize, step: Relaxation, b: &[R], x: &[R], previous: &mut [R], scratch: &mut [R]) {
+        let mut take = |previous: &mut [R]| {
             self.levels[level].relax([step.keep, step.scale], b, x, previous, scratch);
         };
         match &self.block {
             Some(block) if level == 0 => {
-                let moved = |k: usize, previous: f64| x[k] + step.keep * (x[k] - previous);
+                let keep = R::of(step.keep);
+                let moved = |k: usize, previous: R| x[k] + keep * (x[k] - previous);
                 block.take(&moved, previous, take);
                 self.levels[0].expand(previous);
             }
@@ -129,12 +125,12 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
         }
     }
 
-    fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
+    fn restrict(&self, level: usize, fine: &[R], coarse: &mut [R]) {
         self.transfers[level].restrict_all(fine, coarse);
         self.levels[level + 1].system().constraints().restrict(coarse);
     }
 
-    fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
+    fn prolong_add(&self, level: usize, coarse: &[R], fine: &mut [R]) {
         // The factor of the coarsest level leaves dependent unknowns at zero; the smoother of the others does not.
         let mut expanded = Vec::new();
         if level + 2 == self.depth() && self.levels[level + 1].system().constraints().has_slaves() {

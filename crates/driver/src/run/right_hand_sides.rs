@@ -36,7 +36,7 @@ pub(super) fn certified<const D: usize>(
     (solution, certificate)
 }
 
-/// The same, with a factor where a cycle leaves too few digits.
+/// The same, with a cycle of more bits or a factor where a cycle leaves too few digits.
 ///
 /// # Errors
 /// A body that the load moves without resistance.
@@ -48,8 +48,8 @@ fn settled<const D: usize>(
     timing: &mut Timing,
 ) -> Result<(StateSolution, Certificate), RunError> {
     let (mut solution, mut certificate) = certified(problem, system, solver, load, timing);
-    let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
-    if is_poor && !solver.has_factor() && method::can_fall_back(problem) {
+    let is_poor = |certificate: &Certificate| !certificate.converged || certificate.digits < FEW_DIGITS;
+    while is_poor(&certificate) && solver.can_fall_back(problem) {
         solver.fall_back(problem, system, timing)?;
         (solution, certificate) = certified(problem, system, solver, load, timing);
     }

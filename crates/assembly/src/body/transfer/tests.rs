@@ -13,7 +13,7 @@ fn lattice() -> SquareLattice {
 fn checks(fine: &SquareLattice, near: &dyn Fn(usize) -> bool, visible: &dyn Fn([f64; 3], [f64; 3]) -> bool) {
     let coarse = fine.coarser();
     let transfer = Transfer::new(fine, &coarse, near, visible);
-    let mut ones = vec![0.0; fine.points()];
+    let mut ones = vec![0.0_f64; fine.points()];
     transfer.prolong_add(&vec![1.0; coarse.points()], &mut ones);
     assert!(ones.iter().all(|v| (v - 1.0).abs() < 1e-15));
     let (x, y) = (random(coarse.points(), 3), random(fine.points(), 8));

@@ -40,7 +40,7 @@ fn what_rounding_leaves_of_a_coefficient_holds_nothing() {
     let plain = equation(&[(1, 1.0)], 0.0, "plain");
     for order in [[turned.clone(), plain.clone()], [plain, turned.clone()]] {
         let c = Constraints::new(2, &order).unwrap();
-        let mut u = [3.0, 5.0];
+        let mut u = [3.0_f64, 5.0];
         c.expand(1.0, &mut u);
         assert!(u[0] == 3.0 && u[1].abs() < 1e-15, "{u:?}");
     }

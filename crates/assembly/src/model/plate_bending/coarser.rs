@@ -6,7 +6,8 @@
 //! that grows with S.
 
 use super::{PHI_X, PHI_Y, PlateBending, PlateError, PlateNodes, W};
-use crate::body::LevelTransfer;
+use crate::body::Interpolation;
+use peristat_vector::Real;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -90,9 +91,9 @@ impl PlateTransfer {
 
     /// `[w, φ_x, φ_y]` of a fine point.
     #[inline(always)]
-    fn at(&self, parents: &[u32; 4], coarse: &[f64]) -> [f64; 3] {
+    fn at<R: Real>(&self, parents: &[u32; 4], coarse: &[R]) -> [f64; 3] {
         let n = self.children.len();
-        let of = |c: usize| parents.map(|p| coarse[c * n + p as usize]);
+        let of = |c: usize| parents.map(|p| -> f64 { coarse[c * n + p as usize].into() });
         let mean = |v: [f64; 4]| 0.25 * (v[0] + v[1] + v[2] + v[3]);
         let (x, y) = (of(PHI_X), of(PHI_Y));
         let bow = (x[1] - x[0]) + (x[3] - x[2]) + (y[2] - y[0]) + (y[3] - y[1]);
@@ -101,13 +102,13 @@ impl PlateTransfer {
 
     /// What a coarse point collects.
     #[inline(always)]
-    fn collected(&self, children: &[u32; 9], fine: &[f64]) -> [f64; 3] {
+    fn collected<R: Real>(&self, children: &[u32; 9], fine: &[R]) -> [f64; 3] {
         let n = self.parents.len();
         let mut sum = [0.0; 3];
         for (k, &child) in children.iter().enumerate().filter(|child| *child.1 != NONE) {
             let [a, b] = [(k % 3) as f64 - 1.0, (k / 3) as f64 - 1.0];
             let [along, across] = [1.0 - 0.5 * a.abs(), 1.0 - 0.5 * b.abs()];
-            let [w, x, y] = [W, PHI_X, PHI_Y].map(|c| fine[c * n + child as usize]);
+            let [w, x, y] = [W, PHI_X, PHI_Y].map(|c| -> f64 { fine[c * n + child as usize].into() });
             let bow = self.spacing / 8.0 * w;
             sum[W] += along * across * w;
             sum[PHI_X] += along * across * x + a * across * bow;
@@ -117,23 +118,23 @@ impl PlateTransfer {
     }
 }
 
-impl LevelTransfer for PlateTransfer {
-    fn restrict_all(&self, fine: &[f64], coarse: &mut [f64]) {
+impl<R: Real> Interpolation<R> for PlateTransfer {
+    fn restrict_all(&self, fine: &[R], coarse: &mut [R]) {
         let own = self.children.par_chunks(PART);
         let parts = planes(coarse, self.children.len());
         own.zip(parts).for_each(|(children, [w, x, y])| {
             for (k, children) in children.iter().enumerate() {
-                [w[k], x[k], y[k]] = self.collected(children, fine);
+                [w[k], x[k], y[k]] = self.collected(children, fine).map(R::of);
             }
         });
     }
 
-    fn prolong_all(&self, coarse: &[f64], fine: &mut [f64]) {
+    fn prolong_all(&self, coarse: &[R], fine: &mut [R]) {
         let own = self.parents.par_chunks(PART);
         let parts = planes(fine, self.parents.len());
         own.zip(parts).for_each(|(parents, [w, x, y])| {
             for (k, parents) in parents.iter().enumerate() {
-                let [dw, dx, dy] = self.at(parents, coarse);
+                let [dw, dx, dy] = self.at(parents, coarse).map(R::of);
                 (w[k], x[k], y[k]) = (w[k] + dw, x[k] + dx, y[k] + dy);
             }
         });
@@ -141,7 +142,7 @@ impl LevelTransfer for PlateTransfer {
 }
 
 /// The three planes of a vector, part by part.
-fn planes(vector: &mut [f64], points: usize) -> impl IndexedParallelIterator<Item = [&mut [f64]; 3]> {
+fn planes<R: Real>(vector: &mut [R], points: usize) -> impl IndexedParallelIterator<Item = [&mut [R]; 3]> {
     let (w, rest) = vector.split_at_mut(points);
     let (x, y) = rest.split_at_mut(points);
     let parts = w.par_chunks_mut(PART).zip(x.par_chunks_mut(PART)).zip(y.par_chunks_mut(PART));

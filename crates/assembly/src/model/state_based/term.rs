@@ -84,6 +84,17 @@ impl Term<2> for StateTerm {
         }
     }
 
+    fn sweep_in_single(&self, u: &[f32], out: &mut [f32], take: TakeForces<'_, 2, f32>) -> bool {
+        match (&self.bonds, &self.families[..]) {
+            (Some(bonds), []) => bonds.sweep_in_single(u, out, take),
+            _ => false,
+        }
+    }
+
+    fn sweeps_in_single(&self) -> bool {
+        self.bonds.is_some() && self.families.is_empty()
+    }
+
     fn survey(&self, u: &[f64]) -> Survey<2> {
         self.parts().map(|part| part.survey(u)).fold(Survey::EMPTY, Survey::join)
     }

@@ -3,9 +3,10 @@
 //! What a chunk at a straight edge lacks are whole lines beside it, or the ends of those that it has, all alike: it is evaluated as
 //! those inside are.
 
+use super::chunk_forces::{ChunkForces, Sides};
 use super::chunks::{Beside, Chunk};
 use super::gather::{Forces, one_side};
-use super::chunk_forces::{ChunkForces, Sides};
+use super::precision::Precision;
 use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use std::array::from_fn;
@@ -15,13 +16,13 @@ use std::ops::Range;
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// Forces on a chunk without exceptions; `all` is room for its bonds.
     #[inline(always)]
-    pub(super) fn beside(
+    pub(super) fn beside<R: Precision>(
         &self,
         chunk: &Chunk,
         beside: &Beside,
-        u: &[&[f64]; D],
+        u: &[&[R]; D],
         all: &mut Vec<Sides>,
-        forces: &mut Forces<D>,
+        forces: &mut Forces<D, R>,
     ) {
         let sides = |(number, class): (usize, &Class<D, M>)| {
             let [above, below] = self.chunks.lines_at(beside, class.step);
@@ -33,8 +34,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         };
         all.clear();
         all.extend(self.classes.iter().enumerate().filter_map(sides));
-        let is_done = pulp::Arch::new().dispatch(ChunkForces::<D, M, B> {
-            classes: &self.classes,
+        let is_done = pulp::Arch::new().dispatch(ChunkForces::<D, M, B, R> {
+            classes: R::classes(self),
             sides: all,
             u,
             first: chunk.first as usize,
@@ -50,32 +51,32 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     }
 
     /// The same of a few points.
-    fn few(
+    fn few<R: Precision>(
         &self,
         chunk: &Chunk,
         [left, right]: [i32; 2],
         sides: &[Sides],
-        u: &[&[f64]; D],
-        forces: &mut Forces<D>,
+        u: &[&[R]; D],
+        forces: &mut Forces<D, R>,
     ) {
         let (width, first) = (chunk.width as i32, chunk.first as i64);
         // Points from which a step along the row is in a line.
         let there = |step: i32| (-left - step).max(0)..(width + right - step).min(width);
-        let at = |number: i64, range: &Range<i32>| -> [&[f64]; D] {
+        let at = |number: i64, range: &Range<i32>| -> [&[R]; D] {
             let from = (number + i64::from(range.start)) as usize;
             from_fn(|c| &u[c][from..from + range.len()])
         };
         for sides in sides {
-            let class = &self.classes[sides.class as usize];
+            let class = &R::classes(self)[sides.class as usize];
             let above = sides.above.map(|number| (number, there(sides.along)));
             if let Some((number, range)) = above.filter(|of| !of.1.is_empty()) {
                 let ends = [&at(first, &range), &at(number, &range)];
-                one_side::<D, M, B, false>(class, ends, None, range.start as usize, forces);
+                one_side::<D, M, B, R, false>(class, ends, None, range.start as usize, forces);
             }
             let below = sides.below.map(|number| (number, there(-sides.along)));
             if let Some((number, range)) = below.filter(|of| !of.1.is_empty()) {
                 let ends = [&at(number, &range), &at(first, &range)];
-                one_side::<D, M, B, true>(class, ends, None, range.start as usize, forces);
+                one_side::<D, M, B, R, true>(class, ends, None, range.start as usize, forces);
             }
         }
     }

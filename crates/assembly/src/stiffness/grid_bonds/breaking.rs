@@ -11,7 +11,7 @@ use std::array::from_fn;
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// Calls `visit` with every bond: index of its offset, its points, the lower one first, and its measures.
     pub fn for_each_measured(&self, u: &[f64], mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
-        let u = planes::<D>(u);
+        let u = planes::<D, _>(u);
         for chunk in self.chunks.all() {
             for (index, class) in self.classes.iter().enumerate() {
                 let factors = self.chunks.factors_of(chunk, index, 0);
@@ -22,7 +22,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                     let upper: [&[f64]; D] = from_fn(|c| &u[c][other..other + width]);
                     let mut s = [[0.0; CHUNK]; M];
                     for m in 0..M {
-                        measure::<D, M, B>(class, m, [&lower, &upper], &mut s[m][..width]);
+                        measure::<D, M, B, f64>(class, m, [&lower, &upper], &mut s[m][..width]);
                     }
                     for l in 0..width {
                         if factors.is_none_or(|f| f[k + l] != 0.0) {

@@ -6,16 +6,17 @@
 use super::Class;
 use super::gather::Forces;
 use crate::bonds::BondModel;
-use pulp::{Simd, WithSimd, bytemuck};
+use peristat_vector::Lanes;
+use pulp::{Simd, WithSimd};
 use std::marker::PhantomData;
 
 /// Registers of a component that are summed at once: with those of three components and their own values all are in use.
 const VECTORS: usize = 2;
 /// The most numbers that these are.
-const MOST: usize = 16;
+const MOST: usize = 32;
 
 /// A few points at once.
-type Lanes<S> = [<S as Simd>::f64s; VECTORS];
+type Few<R, S> = [<R as Lanes>::Of<S>; VECTORS];
 
 /// Bonds of an offset of the points of a chunk: numbers of the points at their other ends, from the first point of the chunk on.
 #[derive(Clone, Copy, Debug)]
@@ -28,10 +29,10 @@ pub(super) struct Sides {
 }
 
 /// A chunk, beside which all lines go as far.
-pub(super) struct ChunkForces<'a, const D: usize, const M: usize, B> {
-    pub(super) classes: &'a [Class<D, M>],
+pub(super) struct ChunkForces<'a, const D: usize, const M: usize, B, R> {
+    pub(super) classes: &'a [Class<D, M, R>],
     pub(super) sides: &'a [Sides],
-    pub(super) u: &'a [&'a [f64]; D],
+    pub(super) u: &'a [&'a [R]; D],
     /// First point of the chunk, and how many it has.
     pub(super) first: usize,
     pub(super) width: usize,
@@ -39,17 +40,17 @@ pub(super) struct ChunkForces<'a, const D: usize, const M: usize, B> {
     pub(super) clip: [i32; 2],
     /// Largest offset along the row.
     pub(super) reach: i32,
-    pub(super) forces: &'a mut Forces<D>,
+    pub(super) forces: &'a mut Forces<D, R>,
     pub(super) model: PhantomData<B>,
 }
 
-impl<const D: usize, const M: usize, B: BondModel<D, M>> WithSimd for ChunkForces<'_, D, M, B> {
+impl<const D: usize, const M: usize, B: BondModel<D, M>, R: Lanes> WithSimd for ChunkForces<'_, D, M, B, R> {
     /// Whether there are enough points.
     type Output = bool;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let few = VECTORS * S::F64_LANES;
+        let few = VECTORS * R::count::<S>();
         if self.width < few || !self.is_within() {
             return false;
         }
@@ -57,8 +58,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> WithSimd for ChunkForce
         loop {
             let sums = self.sums(simd, from, few);
             for c in 0..D {
-                let lanes: &[f64] = bytemuck::cast_slice(&sums[c]);
-                self.forces[c][from..from + few].copy_from_slice(lanes);
+                self.forces[c][from..from + few].copy_from_slice(R::lanes::<S>(&sums[c]));
             }
             if from + few == self.width {
                 return true;
@@ -69,7 +69,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> WithSimd for ChunkForce
     }
 }
 
-impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B> {
+impl<const D: usize, const M: usize, B: BondModel<D, M>, R: Lanes> ChunkForces<'_, D, M, B, R> {
     /// Whether the other ends of all bonds are in memory, also of those that there are not.
     fn is_within(&self) -> bool {
         let ends = self.sides.iter().flat_map(|sides| [sides.above, sides.below]).flatten();
@@ -79,23 +79,23 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B
 
     /// One for the bonds of some points, from the k-th on, whose other ends along the row are there, else zero; none if all are.
     #[inline(always)]
-    fn there(&self, k: usize, few: usize, along: i32) -> Option<[f64; MOST]> {
+    fn there(&self, k: usize, few: usize, along: i32) -> Option<[R; MOST]> {
         let [before, behind] = self.clip;
         let (first, end) = (-before - along - k as i32, self.width as i32 + behind - along - k as i32);
         if first <= 0 && few as i32 <= end {
             return None;
         }
-        let mut there = [0.0; MOST];
+        let mut there = [R::default(); MOST];
         for column in first.clamp(0, few as i32)..end.clamp(0, few as i32) {
-            there[column as usize] = 1.0;
+            there[column as usize] = R::of(1.0);
         }
         Some(there)
     }
 
     /// Forces on a few points, from the k-th of the chunk on.
     #[inline(always)]
-    fn sums<S: Simd>(&self, simd: S, k: usize, few: usize) -> [Lanes<S>; D] {
-        let zero = simd.splat_f64s(0.0);
+    fn sums<S: Simd>(&self, simd: S, k: usize, few: usize) -> [Few<R, S>; D] {
+        let zero = R::splat(simd, R::default());
         let own = self.load(simd, self.first + k);
         let mut sums = [[zero; VECTORS]; D];
         let [before, behind] = self.clip;
@@ -106,16 +106,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B
             let mut pulls = [[[zero; VECTORS]; M]; 2];
             if let Some(number) = sides.above {
                 let other = self.load(simd, (number + k as i64) as usize);
-                pull::<S, D, M, B>(simd, class, [&own, &other], &mut pulls[0]);
+                pull::<S, D, M, B, R>(simd, class, [&own, &other], &mut pulls[0]);
                 if is_end && let Some(there) = self.there(k, few, sides.along) {
-                    leave_out::<S, M>(simd, &mut pulls[0], &there);
+                    leave_out::<S, M, R>(simd, &mut pulls[0], &there);
                 }
             }
             if let Some(number) = sides.below {
                 let other = self.load(simd, (number + k as i64) as usize);
-                pull::<S, D, M, B>(simd, class, [&other, &own], &mut pulls[1]);
+                pull::<S, D, M, B, R>(simd, class, [&other, &own], &mut pulls[1]);
                 if is_end && let Some(there) = self.there(k, few, -sides.along) {
-                    leave_out::<S, M>(simd, &mut pulls[1], &there);
+                    leave_out::<S, M, R>(simd, &mut pulls[1], &there);
                 }
             }
             for m in 0..M {
@@ -124,11 +124,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B
                     for c in 0..D {
                         if B::DIFFERENCE[m][c] {
                             let row = class.difference[m][c];
-                            add(simd, &mut sums[c][v], row, simd.sub_f64s(below, above));
+                            add::<S, R>(simd, &mut sums[c][v], row, R::difference(simd, below, above));
                         }
                         if B::MEAN[m][c] {
                             let row = class.half_mean[m][c];
-                            add(simd, &mut sums[c][v], row, simd.add_f64s(below, above));
+                            add::<S, R>(simd, &mut sums[c][v], row, R::sum(simd, below, above));
                         }
                     }
                 }
@@ -139,13 +139,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B
 
     /// Displacements of points, from a number on.
     #[inline(always)]
-    fn load<S: Simd>(&self, simd: S, number: usize) -> [Lanes<S>; D] {
-        let mut lanes = [[simd.splat_f64s(0.0); VECTORS]; D];
+    fn load<S: Simd>(&self, simd: S, number: usize) -> [Few<R, S>; D] {
+        let mut lanes = [[R::splat(simd, R::default()); VECTORS]; D];
         for c in 0..D {
             for v in 0..VECTORS {
-                let at = number + v * S::F64_LANES;
-                lanes[c][v] =
-                    bytemuck::pod_read_unaligned(bytemuck::cast_slice(&self.u[c][at..at + S::F64_LANES]));
+                lanes[c][v] = R::load(simd, self.u[c], number + v * R::count::<S>());
             }
         }
         lanes
@@ -154,42 +152,46 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> ChunkForces<'_, D, M, B
 
 /// What bonds with these lower and upper points pull with. No closures here: what is not inlined is compiled for old processors.
 #[inline(always)]
-fn pull<S: Simd, const D: usize, const M: usize, B: BondModel<D, M>>(
+fn pull<S: Simd, const D: usize, const M: usize, B: BondModel<D, M>, R: Lanes>(
     simd: S,
-    class: &Class<D, M>,
-    [lower, upper]: [&[Lanes<S>; D]; 2],
-    pulls: &mut [Lanes<S>; M],
+    class: &Class<D, M, R>,
+    [lower, upper]: [&[Few<R, S>; D]; 2],
+    pulls: &mut [Few<R, S>; M],
 ) {
     for m in 0..M {
         for v in 0..VECTORS {
-            let mut s = simd.splat_f64s(0.0);
+            let mut s = R::splat(simd, R::default());
             for c in 0..D {
                 if B::DIFFERENCE[m][c] {
-                    add(simd, &mut s, class.difference[m][c], simd.sub_f64s(upper[c][v], lower[c][v]));
+                    add::<S, R>(
+                        simd,
+                        &mut s,
+                        class.difference[m][c],
+                        R::difference(simd, upper[c][v], lower[c][v]),
+                    );
                 }
                 if B::MEAN[m][c] {
-                    add(simd, &mut s, class.half_mean[m][c], simd.add_f64s(lower[c][v], upper[c][v]));
+                    add::<S, R>(simd, &mut s, class.half_mean[m][c], R::sum(simd, lower[c][v], upper[c][v]));
                 }
             }
-            pulls[m][v] = simd.mul_f64s(s, simd.splat_f64s(class.modulus[m]));
+            pulls[m][v] = R::product(simd, s, R::splat(simd, class.modulus[m]));
         }
     }
 }
 
 /// Takes out the pulls of bonds that there are not.
 #[inline(always)]
-fn leave_out<S: Simd, const M: usize>(simd: S, pulls: &mut [Lanes<S>; M], there: &[f64; MOST]) {
+fn leave_out<S: Simd, const M: usize, R: Lanes>(simd: S, pulls: &mut [Few<R, S>; M], there: &[R; MOST]) {
     for m in 0..M {
         for v in 0..VECTORS {
-            let at = v * S::F64_LANES;
-            let lanes = bytemuck::pod_read_unaligned(bytemuck::cast_slice(&there[at..at + S::F64_LANES]));
-            pulls[m][v] = simd.mul_f64s(pulls[m][v], lanes);
+            let lanes = R::load(simd, there, v * R::count::<S>());
+            pulls[m][v] = R::product(simd, pulls[m][v], lanes);
         }
     }
 }
 
 /// Adds a product, not fused, so that all processors get the same bits.
 #[inline(always)]
-fn add<S: Simd>(simd: S, sum: &mut S::f64s, factor: f64, number: S::f64s) {
-    *sum = simd.add_f64s(*sum, simd.mul_f64s(simd.splat_f64s(factor), number));
+fn add<S: Simd, R: Lanes>(simd: S, sum: &mut R::Of<S>, factor: R, number: R::Of<S>) {
+    *sum = R::sum(simd, *sum, R::product(simd, R::splat(simd, factor), number));
 }

@@ -6,6 +6,7 @@ mod breaking;
 mod chunk_forces;
 mod chunks;
 mod gather;
+mod precision;
 mod shares;
 mod survey;
 
@@ -31,12 +32,25 @@ pub struct Offset<const M: usize> {
 
 /// Rows and moduli of the bonds of one offset.
 #[derive(Clone, Debug)]
-struct Class<const D: usize, const M: usize> {
+struct Class<const D: usize, const M: usize, R = f64> {
     step: Cell,
-    difference: Mat<M, D>,
+    difference: [[R; D]; M],
     /// Half of the rows for the mean displacement.
-    half_mean: Mat<M, D>,
-    modulus: [f64; M],
+    half_mean: [[R; D]; M],
+    modulus: [R; M],
+}
+
+impl<const D: usize, const M: usize> Class<D, M> {
+    /// In numbers of 32 bits.
+    fn in_single(&self) -> Class<D, M, f32> {
+        let single = |numbers: &Mat<M, D>| numbers.map(|row| row.map(|number| number as f32));
+        Class {
+            step: self.step,
+            difference: single(&self.difference),
+            half_mean: single(&self.half_mean),
+            modulus: self.modulus.map(|number| number as f32),
+        }
+    }
 }
 
 /// Energy of the bonds of a lattice, `E = Σ ½ f s·diag(moduli)·s`, the factor f of a bond one but for exceptions.
@@ -44,6 +58,7 @@ struct Class<const D: usize, const M: usize> {
 pub struct GridBonds<const D: usize, const M: usize, B> {
     lattice: Arc<SquareLattice>,
     classes: Vec<Class<D, M>>,
+    in_single: Vec<Class<D, M, f32>>,
     chunks: Chunks,
     bonds: usize,
     model: PhantomData<B>,
@@ -79,7 +94,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let classes: Vec<Class<D, M>> = offsets.iter().map(class).collect();
         let steps: Vec<Cell> = offsets.iter().map(|o| o.step).collect();
         let chunks = Chunks::new(&lattice, &steps, exceptions);
-        let mut bonds = Self { lattice, classes, chunks, bonds: 0, model: PhantomData };
+        let in_single = classes.iter().map(Class::in_single).collect();
+        let mut bonds = Self { lattice, classes, in_single, chunks, bonds: 0, model: PhantomData };
         bonds.bonds = bonds.count();
         bonds
     }
@@ -206,7 +222,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
-        self.gather(u, force, &|_, forces, own| {
+        self.gather::<f64>(u, force, &|_, forces, own| {
             for (own, forces) in own.into_iter().zip(forces) {
                 own.iter_mut().zip(forces).for_each(|(f, part)| *f += part);
             }
@@ -225,6 +241,15 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
 
     fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
         self.gather(u, out, take);
+        true
+    }
+
+    fn sweep_in_single(&self, u: &[f32], out: &mut [f32], take: TakeForces<'_, D, f32>) -> bool {
+        self.gather(u, out, take);
+        true
+    }
+
+    fn sweeps_in_single(&self) -> bool {
         true
     }
 

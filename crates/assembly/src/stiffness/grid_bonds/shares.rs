@@ -5,7 +5,7 @@ use super::gather::push;
 use super::{Class, GridBonds};
 use crate::bonds::{BondModel, Mat};
 use crate::stiffness::planes::{planes, planes_mut, take_front};
-use peristat_vector::vectorised;
+use peristat_vector::{Real, vectorised};
 use rayon::prelude::*;
 use std::array::from_fn;
 use std::ops::Range;
@@ -15,11 +15,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// energy of its bonds: `Q + 1` planes.
     pub fn sums<const Q: usize>(&self, u: &[f64], shares: &[Mat<Q, M>]) -> Vec<f64> {
         let n = self.lattice.points();
-        let u = planes::<D>(u);
+        let u = planes::<D, _>(u);
         let mut sums = vec![0.0; (Q + 1) * n];
         let (shared, energy) = sums.split_at_mut(Q * n);
-        let parts = self.own_parts::<Q>(planes_mut(shared)).into_iter();
-        let energies = self.own_parts::<1>([energy]);
+        let parts = self.own_parts::<Q, _>(planes_mut(shared)).into_iter();
+        let energies = self.own_parts::<1, _>([energy]);
         let parts: Vec<_> = parts.zip(energies).collect();
         parts.into_par_iter().for_each(|((chunks, mut own), (_, [energy]))| {
             vectorised(
@@ -57,7 +57,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             let [lower, upper] = if side == 0 { [&own, &other] } else { [&other, &own] };
             for m in 0..M {
                 let (mut s, mut sigma) = ([0.0; CHUNK], [0.0; CHUNK]);
-                measure::<D, M, B>(class, m, [lower, upper], &mut s[..width]);
+                measure::<D, M, B, f64>(class, m, [lower, upper], &mut s[..width]);
                 for l in 0..width {
                     sigma[l] = class.modulus[m] * s[l];
                 }
@@ -86,8 +86,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         shares: &[Mat<Q, M>],
         force: &mut [f64],
     ) {
-        let t = planes::<Q>(t);
-        let parts = self.own_parts::<D>(planes_mut(force));
+        let t = planes::<Q, _>(t);
+        let parts = self.own_parts::<D, _>(planes_mut(force));
         parts.into_par_iter().for_each(|(chunks, mut own)| {
             vectorised(
                 #[inline(always)]
@@ -132,8 +132,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                     sigma.iter_mut().zip(factors).for_each(|(s, f)| *s *= f);
                 }
                 match side {
-                    0 => push::<D, M, B, false>(class, m, sigma, k, &mut forces),
-                    _ => push::<D, M, B, true>(class, m, sigma, k, &mut forces),
+                    0 => push::<D, M, B, f64, false>(class, m, sigma, k, &mut forces),
+                    _ => push::<D, M, B, f64, true>(class, m, sigma, k, &mut forces),
                 }
             }
         });
@@ -170,10 +170,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     }
 
     /// Parts of the chunks with their own points of every plane.
-    pub(super) fn own_parts<'a, const Q: usize>(
+    pub(super) fn own_parts<'a, const Q: usize, R>(
         &self,
-        mut rest: [&'a mut [f64]; Q],
-    ) -> Vec<(&[Chunk], [&'a mut [f64]; Q])> {
+        mut rest: [&'a mut [R]; Q],
+    ) -> Vec<(&[Chunk], [&'a mut [R]; Q])> {
         let take = |chunks| {
             let chunks: &[Chunk] = chunks;
             let points = chunks.iter().map(|c| c.width as usize).sum();
@@ -185,23 +185,23 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 
 /// The measure m of a stretch of bonds.
 #[inline(always)]
-pub(super) fn measure<const D: usize, const M: usize, B: BondModel<D, M>>(
-    class: &Class<D, M>,
+pub(super) fn measure<const D: usize, const M: usize, B: BondModel<D, M>, R: Real>(
+    class: &Class<D, M, R>,
     m: usize,
-    [lower, upper]: [&[&[f64]; D]; 2],
-    s: &mut [f64],
+    [lower, upper]: [&[&[R]; D]; 2],
+    s: &mut [R],
 ) {
     for c in 0..D {
         let (lower, upper) = (lower[c], upper[c]);
         if B::DIFFERENCE[m][c] {
             let row = class.difference[m][c];
             let pairs = s.iter_mut().zip(lower.iter().zip(upper));
-            pairs.for_each(|(s, (lower, upper))| *s += row * (upper - lower));
+            pairs.for_each(|(s, (lower, upper))| *s += row * (*upper - *lower));
         }
         if B::MEAN[m][c] {
             let row = class.half_mean[m][c];
             let pairs = s.iter_mut().zip(lower.iter().zip(upper));
-            pairs.for_each(|(s, (lower, upper))| *s += row * (lower + upper));
+            pairs.for_each(|(s, (lower, upper))| *s += row * (*lower + *upper));
         }
     }
 }

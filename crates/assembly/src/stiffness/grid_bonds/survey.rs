@@ -11,7 +11,7 @@ use std::array::from_fn;
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     pub(super) fn survey_chunks(&self, u: &[f64]) -> Survey<D> {
-        let u = planes::<D>(u);
+        let u = planes::<D, _>(u);
         let part = |chunks: &[Chunk]| {
             vectorised(
                 #[inline(always)]

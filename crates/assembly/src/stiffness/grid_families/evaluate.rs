@@ -19,7 +19,7 @@ impl<const D: usize> GridFamilies<D> {
     /// ϑ and h of all points; h is empty where no family has one.
     pub(super) fn measures(&self, u: &[f64]) -> [Vec<f64>; 2] {
         let n = self.lattice.points();
-        let u = planes::<D>(u);
+        let u = planes::<D, _>(u);
         let mut theta = vec![0.0; n];
         let mut rest = theta.as_mut_slice();
         let bands: Vec<(&Band, &mut [f64])> = self
@@ -131,7 +131,7 @@ impl<const D: usize> GridFamilies<D> {
     /// Adds the forces that do the work of these stresses, times volumes, with the measures.
     pub(super) fn push(&self, [sigma, across]: &[Vec<f64>; 2], force: &mut [f64]) {
         for part in [0, 1] {
-            let mut planes = planes_mut::<D>(force);
+            let mut planes = planes_mut::<D, _>(force);
             let mut behind = 0;
             let mut bands = Vec::new();
             for band in self.bands.iter().skip(part).step_by(2) {

@@ -1,6 +1,7 @@
 //! The coarser levels of a body on a lattice: the same body, cracks and conditions at twice the spacing, again and again.
 
 use super::cubes;
+use crate::run::single_cycle::is_slender;
 use crate::run::{Coarser, CoarserModels, Spread};
 use crate::scene::body::Conditions;
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
@@ -89,6 +90,9 @@ pub(super) fn models<const D: usize>(
         is_loose: false,
         is_unlike,
         visits_once: false,
+        is_slender: model.lattice().is_some_and(|(lattice, _)| {
+            is_slender([lattice.columns().len(), lattice.rows().len()], lattice.points())
+        }),
         beside_border,
     };
     let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());

@@ -3,7 +3,7 @@
 use super::super::{PHI_X, PHI_Y, PlateTransfer};
 use super::body::holed;
 use super::parameters;
-use crate::body::LevelTransfer;
+use crate::body::Interpolation;
 use crate::model::plate_bending::PlateBending;
 
 /// A deflection that is quadratic, with its gradient.
