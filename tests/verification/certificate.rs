@@ -126,7 +126,9 @@ fn the_error_of_a_plate_that_all_but_floats_is_within_its_bound_with_blocks_of_p
         let (case, expected) = afloat(10_f64.powi(-exponent), "pcg");
         let (_, certificate) = solve(&case, &expected);
         // Measured 4e-16 of 3e-11, 1e-13 of 9e-8 with 1e-4, 4e-9 of 1e-3 with 1e-8. The blocks alone see 1e-14 of that.
-        assert!(certificate.converged || exponent > 8, "1e-{exponent}: {certificate:?}");
+        // The bound on strains with 1e-8 is 0.06 to 0.14 for plates of six sizes, about the tenth up to which a state has converged.
+        assert!(certificate.converged || exponent > 6, "1e-{exponent}: {certificate:?}");
+        assert!(certificate.digits >= 2 || exponent > 8, "1e-{exponent}: {certificate:?}");
     }
 }
 

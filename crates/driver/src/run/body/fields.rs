@@ -11,7 +11,11 @@ use crate::scene::body::{BodyScene, Eigenstrain, Has, HoleRing, Intensity, Says,
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::{Field, HoleFit};
+use rayon::prelude::*;
 use std::borrow::Cow;
+
+/// Points whose values one thread makes at least.
+const FEW: usize = 4096;
 
 /// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
 /// points, shears with their signs.
@@ -311,10 +315,11 @@ impl BodyResult {
         }
         let medium = Medium::of(scene);
         let at = |p: usize| recovered.of_stress(medium, origin, p, |values| values[p]);
-        match whole {
-            true => (0..self.points).map(at).collect(),
+        let values: Option<Vec<f64>> = match whole {
+            true => (0..self.points).into_par_iter().with_min_len(FEW).map(at).collect(),
             false => scene.real_points().map(at).collect(),
-        }
+        };
+        values.map(Cow::from)
     }
 
     /// Value of a field as a sum over points. What is no linear function of the stresses is that of the summed stresses.

@@ -7,10 +7,15 @@ use nalgebra::{Matrix3, SymmetricEigen};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 
+/// Components of a symmetric tensor.
+const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
+
 /// What makes fields of stresses.
 #[derive(Clone, Copy)]
 pub(super) struct Medium<'a> {
     pub(super) model: &'a dyn BodyModel,
+    /// Places of [`COMPONENTS`] among those of the model.
+    places: [Option<usize>; COMPONENTS.len()],
     /// Angle of the fibres from x, rad.
     pub(super) fibre_angle: Option<f64>,
     pub(super) strengths: Option<&'a Strengths>,
@@ -23,6 +28,7 @@ impl<'a> Medium<'a> {
     pub(super) fn of(scene: &'a BodyScene) -> Self {
         Self {
             model: &*scene.model,
+            places: places(&*scene.model),
             fibre_angle: scene.material().fibres().map(|fibres| fibres.angle),
             strengths: scene.case.strengths.as_ref(),
             scene: Some(scene),
@@ -50,16 +56,22 @@ impl<'a> Medium<'a> {
     }
 }
 
+/// Places of [`COMPONENTS`] among those of a model.
+fn places(model: &dyn BodyModel) -> [Option<usize>; COMPONENTS.len()] {
+    COMPONENTS.map(|name| component(model, name))
+}
+
 /// Index of a component of strains and stresses among those of a model.
 pub(super) fn component(model: &dyn BodyModel, name: &str) -> Option<usize> {
     model.tensor_components().iter().position(|component| *component == name)
 }
 
 /// The stress tensor of the components that a model has, with the stress across the plane, unless that is one of them.
-fn tensor(model: &dyn BodyModel, stress: [f64; TENSOR], across: f64) -> Matrix3<f64> {
-    let of = |name: &str| component(model, name).map_or(0.0, |k| stress[k]);
-    let z = component(model, "zz").map_or(across, |k| stress[k]);
-    let [x, y, xy, xz, yz] = ["xx", "yy", "xy", "xz", "yz"].map(of);
+fn tensor(medium: Medium, stress: [f64; TENSOR], across: f64) -> Matrix3<f64> {
+    let of = |place: Option<usize>| place.map(|k| stress[k]);
+    let [x, y, z, xy, xz, yz] = medium.places.map(of);
+    let z = z.unwrap_or(across);
+    let [x, y, xy, xz, yz] = [x, y, xy, xz, yz].map(Option::unwrap_or_default);
     Matrix3::new(x, xy, xz, xy, y, yz, xz, yz, z)
 }
 
@@ -101,15 +113,15 @@ pub(super) fn of_stress(
             let component = component(model, name)?;
             Some(factor * model.strains_at(point, stress, across)[component])
         }
-        Origin::VonMises => Some(von_mises(&tensor(model, stress, across))),
-        Origin::Principal(k) => Some(principal(&tensor(model, stress, across))[k]),
+        Origin::VonMises => Some(von_mises(&tensor(medium, stress, across))),
+        Origin::Principal(k) => Some(principal(&tensor(medium, stress, across))[k]),
         Origin::MaxShear => {
-            let [largest, _, smallest] = principal(&tensor(model, stress, across));
+            let [largest, _, smallest] = principal(&tensor(medium, stress, across));
             Some(0.5 * (largest - smallest))
         }
-        Origin::Hydrostatic => Some(tensor(model, stress, across).trace() / 3.0),
+        Origin::Hydrostatic => Some(tensor(medium, stress, across).trace() / 3.0),
         Origin::PrincipalDirection => {
-            let s = tensor(model, stress, across);
+            let s = tensor(medium, stress, across);
             // A shear of −0 would turn it by half a turn.
             Some(0.5 * (2.0 * s[(0, 1)] + 0.0).atan2(s[(0, 0)] - s[(1, 1)]))
         }
@@ -124,7 +136,7 @@ pub(super) fn of_stress(
         Origin::HashinMatrix => medium.index(failure::hashin_matrix, stress),
         Origin::Utilisation => match medium.fibre_angle {
             Some(_) => medium.index(failure::utilisation, stress),
-            None => Some(von_mises(&tensor(model, stress, across)) / medium.yield_stress(point)?),
+            None => Some(von_mises(&tensor(medium, stress, across)) / medium.yield_stress(point)?),
         },
         Origin::Stress("zz") => Some(component(model, "zz").map_or(across, |k| stress[k])),
         Origin::Stress(name) => Some(stress[component(model, name)?]),
@@ -169,7 +181,7 @@ mod tests {
     /// What follows from the stresses in a plane.
     fn of(model: &BondPlane, field: FieldName, [x, y, xy]: [f64; 3]) -> f64 {
         let stress = [x, y, xy, 0.0, 0.0, 0.0];
-        let medium = Medium { model, fibre_angle: None, strengths: None, scene: None };
+        let medium = Medium { model, places: places(model), fibre_angle: None, strengths: None, scene: None };
         of_stress(field.about().origin, medium, (0, stress), model.across_of(stress)).unwrap()
     }
 
