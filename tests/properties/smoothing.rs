@@ -57,6 +57,7 @@ fn numbers_of_32_bits_say_the_same<const D: usize>(system: &System<D>, [b, x, r]
     let [b, x] = [b, x].map(single);
     let mut found = vec![f32::NAN; b.len()];
     level.residual(&b, &x, &mut found);
+    // Measured 3.3e-6 once, 2.4e-7 in all others of 669 systems.
     assert_close(&double(&found), r, scale, 1e-5, "b − A x in 32 bits");
     // A step that keeps nothing of the last one is a step of the smoother from there.
     let mut expected = x.clone();
@@ -64,7 +65,8 @@ fn numbers_of_32_bits_say_the_same<const D: usize>(system: &System<D>, [b, x, r]
     let (mut relaxed, mut scratch) = (vec![0.0; b.len()], vec![f32::NAN; b.len()]);
     level.relax([0.0, 0.7], &b, &x, &mut relaxed, &mut scratch);
     let expected = double(&expected);
-    assert_close(&double(&relaxed), &expected, largest(&expected), 1e-3, "a step in 32 bits");
+    // Measured 3.5e-7.
+    assert_close(&double(&relaxed), &expected, largest(&expected), 2e-6, "a step in 32 bits");
 }
 
 /// A step is the solution of the block of its point on the components that nothing constrains.

@@ -32,6 +32,20 @@ fn hard(n: u32) -> [(&'static str, Value); 4] {
     ]
 }
 
+#[test]
+fn moduli_beyond_32_bits_are_solved_in_64() {
+    for (modulus, rounds) in [(1e-42, true), (7e4, false), (1e42, true)] {
+        let mut case = clamped_square(256);
+        case["model"]["bond_plane"]["youngs_modulus"] = json!(modulus);
+        case["loads"][0]["traction"]["uniform"] = json!([0, -1e-6 * modulus]);
+        let run = displacements(&case);
+        assert_eq!(run.report.solver.method, "multigrid");
+        assert_eq!(run.report.solver.reason.contains("in numbers of 64 bits"), rounds, "{modulus:e}");
+        // 31 for the softest, 12 for the others.
+        assert!(run.iterations() <= 35, "{modulus:e}: {}", run.iterations());
+    }
+}
+
 fn check_squares(sides: &[usize]) {
     let found: Vec<usize> = sides.iter().map(|n| iterations(&clamped_square(*n))).collect();
     let [least, most] = [found.iter().min(), found.iter().max()].map(|n| *n.expect("there are sides"));

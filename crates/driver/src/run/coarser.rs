@@ -24,8 +24,8 @@ pub struct CoarserModels<const D: usize> {
     pub is_unlike: bool,
     /// Whether every level is visited once: corrections of coarser ones may overshoot, where their supports are further out.
     pub visits_once: bool,
-    /// Whether the body is so slender that numbers of 32 bits round what bends it.
-    pub is_slender: bool,
+    /// Whether bending is so soft that numbers of 32 bits would round what resists it.
+    pub is_soft: bool,
     /// Points of the finest level of all, beside a border that cuts cells, that are smoothed together.
     pub beside_border: Vec<usize>,
 }

@@ -23,7 +23,7 @@ pub(super) fn is_slender(sides: [usize; 2], points: usize) -> bool {
 /// Whether a system is large enough and not slender, and all of its levels go from point to point in these numbers.
 pub(super) fn suits<const D: usize>(system: &System<D>, coarser: &CoarserModels<D>) -> bool {
     system.points() >= FEWEST
-        && !coarser.is_slender
+        && !coarser.is_soft
         && system.sweeps_in_single()
         && coarser.systems.iter().all(System::sweeps_in_single)
 }
@@ -61,8 +61,10 @@ impl<const D: usize> Preconditioner for SingleCycle<'_, D> {
         let Self { system, multigrid, vectors: [b, x] } = self;
         // Residuals of all sizes are numbers around one, which do not underflow.
         let largest = r.iter().fold(0.0, |largest: f64, r| largest.max(r.abs()));
-        let scale = if largest > 0.0 { 1.0 / largest } else { 0.0 };
-        b.iter_mut().zip(r).for_each(|(b, r)| *b = (scale * r) as f32);
+        if largest == 0.0 {
+            return z.fill(0.0);
+        }
+        b.iter_mut().zip(r).for_each(|(b, r)| *b = (r / largest) as f32);
         multigrid.apply(b, x);
         z.iter_mut().zip(x.iter()).for_each(|(z, x)| *z = largest * f64::from(*x));
         // What depends on others follows them to the last bit.
@@ -87,5 +89,18 @@ impl Preconditioner<f32> for Coarsest {
         b.iter_mut().zip(r).for_each(|(b, r)| *b = f64::from(*r));
         self.factor.apply(b, x);
         z.iter_mut().zip(x.iter()).for_each(|(z, x)| *z = *x as f32);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strips_and_rings_are_slender() {
+        assert!(!is_slender([300, 300], 90_000) && !is_slender([1600, 100], 160_000));
+        assert!(is_slender([1700, 100], 170_000));
+        // A square ring of two cells.
+        assert!(is_slender([200, 200], 4 * 198 * 2));
     }
 }

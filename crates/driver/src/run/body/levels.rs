@@ -90,7 +90,7 @@ pub(super) fn models<const D: usize>(
         is_loose: false,
         is_unlike,
         visits_once: false,
-        is_slender: model.lattice().is_some_and(|(lattice, _)| {
+        is_soft: model.lattice().is_some_and(|(lattice, _)| {
             is_slender([lattice.columns().len(), lattice.rows().len()], lattice.points())
         }),
         beside_border,

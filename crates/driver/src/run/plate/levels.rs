@@ -1,6 +1,5 @@
 //! The coarser levels of a plate: the same plate and conditions at twice the spacing, again and again.
 
-use crate::run::single_cycle::is_slender;
 use crate::run::{Coarser, CoarserModels};
 use crate::scene::PlateScene;
 use peristat_assembly::condition::{Equation, Unknown};
@@ -22,15 +21,13 @@ pub(super) fn is_coarsest(nodes: &PlateNodes) -> bool {
 
 /// The coarser levels of a plate; none if it is coarse itself.
 pub(super) fn coarser(scene: &PlateScene) -> Option<Coarser<3>> {
-    let nodes = scene.plate.nodes();
-    let cells = nodes.cells();
     let mut levels = CoarserModels {
         systems: Vec::new(),
         transfers: Vec::new(),
         is_loose: false,
         is_unlike: true,
         visits_once: true,
-        is_slender: is_slender([cells.columns().len(), cells.rows().len()], nodes.points()),
+        is_soft: true,
         beside_border: Vec::new(),
     };
     let (mut coarsest, mut held): (Option<PlateBending>, _) = (None, Conditions::of(scene));
