@@ -39,7 +39,7 @@ def measured(jobs, rounds):
         inside = min(times[1] for times in job.times)  # wall seconds, which others on the machine lengthen
         keys = {"program": job.program, "method": job.method, "size": job.size, "points": job.points}
         times = {"cpu": cpu, "inside": inside, "peak": peak, "unseen": peak <= own()}
-        rows.append(keys | {"error": job.found} | times)
+        rows.append(keys | {"error": job.found, "stress": job.stress} | times)
     return rows
 
 
@@ -53,12 +53,15 @@ def table(head, rows):
 
 
 def points(rows):
-    cells = []
+    cells, has_stress = [], any(row["stress"] is not None for row in rows)
     for row in rows:
         times = f"{row['cpu']:.3f}", f"{1e3 * row['inside']:.2f}"
         peak = "<= " * row["unseen"] + f"{row['peak'] / 1e6:.0f}"
-        cells.append([row["program"], row["method"], row["size"], f"{row['error']:.1e}", *times, peak])
-    return table(["program", "method", "size", "error", "CPU s", "inside ms", "peak MB"], cells)
+        stress = f"{row['stress']:.1e}" if row["stress"] is not None else ""
+        errors = [f"{row['error']:.1e}", *([stress] if has_stress else [])]
+        cells.append([row["program"], row["method"], row["size"], *errors, *times, peak])
+    errors = ["error", *(["of stress"] if has_stress else [])]
+    return table(["program", "method", "size", *errors, "CPU s", "inside ms", "peak MB"], cells)
 
 
 def section(title, words, rows, limit):
@@ -66,6 +69,9 @@ def section(title, words, rows, limit):
     at = f" at {least} points or more" if least else ""
     cost = f"CPU milliseconds to an error{at}, in brackets those inside the program:\n\n"
     parts = [f"## {title}\n\n{cost}{table(*costs(rows, errors, least))}", f"{words}\n"]
+    stressed = [row | {"error": row["stress"]} for row in rows if row["stress"] is not None]
+    if stressed:
+        parts.insert(1, f"The same to an error of the stress:\n\n{table(*costs(stressed, errors, least))}")
     clocks = {"cpu": "whole process, CPU seconds", "inside": "inside the program, wall seconds"}
     for clock, name in clocks.items():
         head, cells = verdicts(rows, clock, limit)

@@ -30,15 +30,16 @@ BEAM_SCRIPTS = {  # program, packages, largest number of elements
     "pynite": ("PyNite", "members", ["Pynite"], 10**3),
 }
 SIZES = 10, 100, 1000, 10_000, 100_000, 1_000_000
-PLATE = {  # model, its options, horizon ratio, solver, depth of tractions, most points over the height
-    "`bond_plane`, m = 3, multigrid": ("bond_plane", {}, 3, "multigrid", None, 189),
-    "`bond_plane`, m = 2, multigrid": ("bond_plane", {}, 2, "multigrid", None, 189),
-    "`bond_plane`, m = 2, sparse": ("bond_plane", {}, 2, "sparse", None, 105),
-    "`bond_plane`, m = 2, depth 81": ("bond_plane", {}, 2, "auto", 81.0, 189),
-    "`published`, m = 3": ("bond_plane", {"calibration": "published"}, 3, "auto", None, 105),
-    "`published`, m = 2": ("bond_plane", {"calibration": "published"}, 2, "auto", None, 105),
-    "`state_plane`, m = 3": ("state_plane", {"poisson_ratio": 1 / 3}, 3, "auto", None, 105),
-    "`state_plane`, m = 3, depth 81": ("state_plane", {"poisson_ratio": 1 / 3}, 3, "auto", 81.0, 105),
+LOCAL = {"limit": "local"}
+NU = {"poisson_ratio": 1 / 3}
+PLATE = {  # model, its options, horizon ratio, solver, further keys of the case, most points over the height
+    "`bond_plane`, default": ("bond_plane", {}, None, "auto", {}, 189),
+    "`bond_plane`, default, `local`": ("bond_plane", {}, None, "auto", LOCAL, 189),
+    "`bond_plane`, default, `local`, 4 corrections": ("bond_plane", {}, None, "auto", {**LOCAL, "corrections": 4}, 189),
+    "`bond_plane`, m = 3": ("bond_plane", {}, 3, "auto", {}, 189),
+    "`bond_plane`, default, sparse": ("bond_plane", {}, None, "sparse", {}, 105),
+    "`published`, m = 3": ("bond_plane", {"calibration": "published"}, 3, "auto", {}, 105),
+    "`state_plane`, default": ("state_plane", NU, None, "auto", {}, 105),
 }
 ROWS = 7, 21, 35, 63, 105, 189
 PLATE_SCRIPTS = {  # program, method, packages, sizes
@@ -63,11 +64,14 @@ class Job:
     inside: Callable
     times: list = field(default_factory=list)
     found: float = None
+    stress: float = None
 
     def run(self):
         output, (cpu, _), peak = run(*self.command, errors=subprocess.DEVNULL)
         if self.found is None:
-            self.found = self.error(output)
+            # A pair where stresses are known, too.
+            found = self.error(output)
+            self.found, self.stress = found if isinstance(found, tuple) else (found, None)
         self.times.append((cpu, self.inside(output), peak))
 
 
@@ -131,17 +135,18 @@ def beams(slenderness, most, lacks, has_ccx):
 
 
 def plate_error(path, largest):
-    """The larger error of both displacements over the larger of both, of a run that compares every point."""
+    """Errors of displacements and of stresses over the largest of each, of a run that compares every point."""
     checks = json.loads(run(*verify(path))[0])[0]["checks"]
-    return max(check["error"] * size for check, size in zip(checks, largest)) / max(largest)
+    errors = [check["error"] * size for check, size in zip(checks, largest)]
+    return max(errors[:2]) / max(largest[:2]), max(errors[2:]) / max(largest[2:])
 
 
 def plates(quick, lacks, has_ccx):
     few = lambda sizes: sizes[:3] if quick else sizes
     seconds = lambda output: json.loads(output)[0]["time_s"]
-    for method, (model, options, ratio, solver, depth, most) in PLATE.items():
+    for method, (model, options, ratio, solver, rest, most) in PLATE.items():
         for rows in few([rows for rows in ROWS if rows <= most]):
-            asked, every, largest = plate_case(model, options, ratio, solver, depth, rows)
+            asked, every, largest = plate_case(model, options, ratio, solver, rest, rows)
             error = lambda _, every=every, largest=largest: plate_error(every, largest)
             yield Job("peristat", method, f"{rows * 27 // 7} x {rows}", 0, verify(asked), error, seconds)
     value = lambda key: lambda output: last(output)[key]
@@ -149,7 +154,8 @@ def plates(quick, lacks, has_ccx):
         for size in () if lacks(packages) else few(sizes):
             grid = f"{6 * size} x {2 * size}" if program == "scikit-fem" else f"{size * 27 // 7} x {size}"
             command = script("pareto_plate.py", name, size)
-            yield Job(program, method, grid, 0, command, value("error"), value("inside_s"))
+            both = lambda output: (last(output)["error"], last(output).get("stress_error"))
+            yield Job(program, method, grid, 0, command, both, value("inside_s"))
     for order, sizes in PLATE_DECKS.items() if has_ccx else ():
         for size in few(sizes):
             error = lambda path, order=order, size=size: ccx.plate_error(path, order, size)

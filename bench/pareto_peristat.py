@@ -6,6 +6,10 @@ from measure import WORK
 from pareto_problems import LOAD, POISSON_RATIO, WIDTH, YOUNGS_MODULUS, Beam, Plate
 
 
+# Displacements, and the stresses that are not zero.
+FIELDS = "ux", "uy", "stress_xx", "stress_xy"
+
+
 def written(name, case):
     path = WORK / f"pareto_{name}.json"
     path.write_text(json.dumps(case))
@@ -29,44 +33,47 @@ def beam_case(law, ratio, solver, cells, slenderness):
     return written(f"beam_{law}_{ratio}_{solver}_{cells}_{slenderness:g}", case)
 
 
-def plate_case(name, options, ratio, solver, depth, rows):
-    """Two cases: one asks for the deflection at the end, the other compares every point with the closed form."""
+def plate_case(name, options, ratio, solver, rest, rows):
+    """Two cases: one asks for the deflection at the end, the other compares every point with the closed form.
+
+    `rest`: further keys of the case, such as its limit.
+    """
     plate = Plate()
     h, columns = plate.height / rows, round(rows * plate.length / plate.height)
     axis, moment = plate.height / 2, plate.traction(False, plate.height)[0]
     model = {"youngs_modulus": plate.youngs_modulus, "state": "plane_stress", **options}
     shear = plate.traction(True, axis)[1]
-    faded = {"depth": depth} if depth else {}
     tip = {"x": (columns - 0.5) * h, "y": axis}
     case = {
         "title": "Cantilever of plane stress",
         "model": {name: model},
         "body": {"rectangle": {"size": [plate.length, plate.height], "spacing": h}},
-        "horizon_ratio": ratio,
+        **({"horizon_ratio": ratio} if ratio else {}),
         "supports": [
             {"at": {"x": plate.middle, "y": axis}, "ux": 0, "uy": 0},
             {"at": {"x": plate.second, "y": axis}, "uy": 0},
         ],
         "loads": [
-            {"traction": {"edge": "right", "parabolic": [0, shear], **faded}},
-            {"traction": {"edge": "left", "parabolic": [0, -shear], **faded}},
-            {"traction": {"edge": "left", "linear": [[-moment, 0], [moment, 0]], **faded}},
+            {"traction": {"edge": "right", "parabolic": [0, shear]}},
+            {"traction": {"edge": "left", "parabolic": [0, -shear]}},
+            {"traction": {"edge": "left", "linear": [[-moment, 0], [moment, 0]]}},
         ],
         "probes": [{"name": "end", "at": tip, "field": "uy"}],
         "solver": solver,
+        **rest,
     }
     exact = WORK / f"pareto_plate_{rows}.csv"
-    largest = [0.0, 0.0]
+    largest = [0.0] * len(FIELDS)
     with exact.open("w") as file:  # row by row: what this process holds counts in the peaks of its children
-        file.write("x,y,ux,uy\n")
+        file.write("x,y,ux,uy,stress_xx,stress_xy\n")
         for x, y in (((i + 0.5) * h, (j + 0.5) * h) for j in range(rows) for i in range(columns)):
-            values = plate.displacement(x, y)
+            values = *plate.displacement(x, y), *plate.stress(x, y)
             largest = [max(a, abs(b)) for a, b in zip(largest, values)]
-            file.write(f"{x!r},{y!r},{values[0]!r},{values[1]!r}\n")
+            file.write(",".join(map(repr, (x, y, *values))) + "\n")
     words = [name, *(value for value in options.values() if isinstance(value, str))]
-    label = "_".join(map(str, (*words, ratio, solver, depth, rows)))
+    label = "_".join(map(str, (*words, ratio, solver, *rest.values(), rows)))
     expected = plate.displacement(*tip.values())[1]
     value = {"probe": "end", "expected": expected, "tolerance": 1e9, "source": "closed form"}
     asked = written(f"plate_{label}", case | {"checks": [{"value": value}]})
-    fields = [{"baseline": {"file": exact.name, "field": field, "tolerance": 1e9}} for field in ("ux", "uy")]
+    fields = [{"baseline": {"file": exact.name, "field": field, "tolerance": 1e9}} for field in FIELDS]
     return asked, written(f"plate_{label}_all", case | {"checks": fields}), largest

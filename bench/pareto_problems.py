@@ -58,6 +58,15 @@ class Plate:
         u, v = self._free(x, y)
         return u - self.base[0] + self.turn * y, v - self.base[1] - self.turn * (x - self.middle)
 
+    def stress(self, x, y):
+        """Along the beam and of shear, the two that are not zero; the largest is at the left end, on both edges."""
+        y = y - self.height / 2
+        along = -self.force * (self.length - x) * y / self.second_moment
+        return along, self.force / (2 * self.second_moment) * ((self.height / 2) ** 2 - y * y) + 0.0 * x
+
+    def largest_stress(self):
+        return self.force * self.length * self.height / 2 / self.second_moment
+
     def traction(self, right, y):
         """Force per area on the right or on the left end."""
         y = y - self.height / 2

@@ -214,6 +214,36 @@ fn every_solver_has_the_same_answer() {
     found.iter().for_each(|w| assert!((w / found[0] - 1.0).abs() < 1e-8, "{found:?}"));
 }
 
+/// Iterations of multigrid.
+fn iterations(case: &Value) -> usize {
+    let mut case = case.clone();
+    case["solver"] = json!("multigrid");
+    let run = displacements(&case);
+    assert_eq!(run.report.solver.method, "multigrid");
+    run.iterations()
+}
+
+/// A case made finer.
+fn with_rows(case: &Value, rows: u32) -> Value {
+    let mut case = case.clone();
+    case["body"]["rectangle"]["spacing"] = json!(1.0 / f64::from(rows));
+    case
+}
+
+#[test]
+fn finer_tubes_take_no_more_iterations() {
+    let tube = between_diaphragms(64);
+    let mut clamped = tube.clone();
+    clamped["supports"] = json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0, "w": 0 }]);
+    let mut bent = tube.clone();
+    bent["model"]["shell_membrane"]["bending"] = json!(true);
+    for case in [tube, clamped, bent] {
+        let found = [64, 128].map(|rows| iterations(&with_rows(&case, rows)));
+        // Found: 6, clamped 7; over lattices that lose rows 80 and more.
+        assert!(found.iter().all(|&found| found <= 8), "{found:?}");
+    }
+}
+
 #[test]
 fn rows_of_bending_oval_a_ring_as_an_inextensional_one() {
     let w = |rows: u32| {

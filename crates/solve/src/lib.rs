@@ -21,6 +21,7 @@
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
 //!   accurately than the assembled matrix could is the truth;
 //! * [`Multigrid`] is a preconditioner for matrices too large to factor, given the levels of a [`Hierarchy`];
+//! * [`Semicoarsening`] makes such levels from a matrix, coarser along one direction only;
 //! * [`Ranks`] are processes that solve one problem together.
 //!
 //! All results are the same on every machine and any number of threads: sums have a
@@ -42,6 +43,7 @@ mod pcg;
 mod plane;
 mod ranks;
 mod repeating;
+mod semicoarsening;
 mod sparse;
 
 pub use band::{BandCholesky, BandMatrix};
@@ -56,4 +58,5 @@ pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
 pub use ranks::{Halo, Ranks};
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
+pub use semicoarsening::{LinePlace, Semicoarsening};
 pub use sparse::{Ordering, SparseCholesky, SparseIndefinite};

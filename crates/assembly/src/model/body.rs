@@ -76,6 +76,11 @@ pub trait BodyModel: Points + Debug + Send + Sync {
         false
     }
 
+    /// Whether coarser lattices must keep all rows, since patterns that are fine across these and smooth along them are soft.
+    fn needs_all_rows(&self) -> bool {
+        false
+    }
+
     /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were: they are no damage.
     fn never_joined(&mut self, _bonds: &[(usize, usize)]) {}
 

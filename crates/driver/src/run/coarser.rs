@@ -3,13 +3,16 @@
 use peristat_assembly::body::LevelTransfer;
 use peristat_assembly::cubic::CubicLevels;
 use peristat_assembly::system::System;
+use peristat_solve::LinePlace;
 
-/// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
+/// The coarser levels of a problem.
 pub enum Coarser<const D: usize> {
-    /// Models of bodies that are coarser.
+    /// The same body and conditions at twice the spacing, again and again.
     Models(CoarserModels<D>),
     /// Cubes with one stencil, which stand in for the finest level, too.
     Cubes(CubicLevels),
+    /// The places of the unknowns, none of those that are held or follow others: levels are coarser along lines only.
+    Lines(Vec<Option<LinePlace>>),
 }
 
 /// Models of coarser bodies.

@@ -5,6 +5,7 @@ use super::cubic_cycle;
 use super::factor;
 use super::multigrid;
 use super::problem::{Spread, TOO_MANY_POINTS};
+use super::semicoarsened;
 use super::single_cycle;
 use super::solve_failure::SolveFailure;
 use super::solver_report::SolverReport;
@@ -232,6 +233,10 @@ pub(super) fn of_cycle<'a, const D: usize>(
         }
         Coarser::Cubes(levels) => {
             let (cycle, entries) = cubic_cycle::cycle(system, levels, counters)?;
+            (Box::new(cycle), entries)
+        }
+        Coarser::Lines(places) => {
+            let (cycle, entries) = semicoarsened::cycle(system, places, counters)?;
             (Box::new(cycle), entries)
         }
     };

@@ -37,6 +37,7 @@ mod right_hand_sides;
 pub(crate) mod scan;
 mod scene_sizes;
 mod scenes;
+mod semicoarsened;
 mod shared_solver;
 mod single_cycle;
 mod sink;

@@ -57,6 +57,11 @@ pub trait Problem<const D: usize> {
         None
     }
 
+    /// Whether the coarser levels of a cycle are assembled.
+    fn has_matrices(&self) -> bool {
+        false
+    }
+
     /// Positions of the points, where they spread in a plane: their factor is ordered by them.
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
         None

@@ -1,4 +1,4 @@
-//! What every model says of a shell membrane: terms, relations, rigid motions, stresses, coarser bodies.
+//! What every model says of a shell membrane: terms, relations, rigid motions, stresses.
 
 use super::super::plane::{
     BorderShares, CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable, in_plane,
@@ -19,6 +19,11 @@ impl BodyModel for ShellMembrane {
 
     fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
         Some((&self.lattice, &self.mirrors))
+    }
+
+    /// Inextensional motions: the higher their harmonic around, the less stretch along the axis they need.
+    fn needs_all_rows(&self) -> bool {
+        true
     }
 
     fn ghosts(&self) -> &[u32] {
@@ -178,10 +183,8 @@ impl Model<3> for ShellMembrane {
 }
 
 impl Solvable<3> for ShellMembrane {
+    /// None: coarser levels of membranes keep all rows, and their cells are no squares.
     fn coarser(&self, _: &FindCuts) -> Option<Box<dyn Solvable<3>>> {
-        let mirrors = self.mirrors.coarser()?;
-        let real = self.mirrors.real(&self.lattice).coarser();
-        let lattice = mirrors.extended(&real, self.families.reach());
-        Some(Box::new(Self::on_lattice(Arc::new(lattice), mirrors, self.parameters).ok()?))
+        None
     }
 }

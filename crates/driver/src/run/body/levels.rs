@@ -1,6 +1,6 @@
 //! The coarser levels of a body on a lattice: the same body, cracks and conditions at twice the spacing, again and again.
 
-use super::cubes;
+use super::{cubes, lines};
 use crate::run::single_cycle::is_slender;
 use crate::run::{Coarser, CoarserModels, Spread};
 use crate::scene::body::Conditions;
@@ -33,6 +33,13 @@ const MOST_BESIDE: usize = 20_000;
 /// How the points of a body lie.
 pub(super) fn spread(model: &dyn BodyModel) -> Spread {
     match model.lattice() {
+        Some((lattice, _)) if model.needs_all_rows() => {
+            if lines::suits(lattice) {
+                Spread::Lattice
+            } else {
+                Spread::Plane
+            }
+        }
         Some((lattice, mirrors)) if !is_coarsest(lattice, mirrors) && !model.hardly_compresses() => {
             Spread::Lattice
         }
@@ -65,10 +72,10 @@ pub(super) fn coarser<const D: usize>(
     conditions: &Conditions,
     system: &System<D>,
 ) -> Option<Coarser<D>> {
-    match cubes::levels(model, conditions, system) {
-        Some(levels) => Some(Coarser::Cubes(levels)),
-        None => models(model, model, cracks, conditions).map(Coarser::Models),
-    }
+    let lines = || lines::places(model, system).map(Coarser::Lines);
+    let cubes = || cubes::levels(model, conditions, system).map(Coarser::Cubes);
+    let models = || models(model, model, cracks, conditions).map(Coarser::Models);
+    lines().or_else(cubes).or_else(models)
 }
 
 /// Coarser models of the body. What the finest of them gives goes to the points of `part`, the model itself or one of a part of the

@@ -13,6 +13,7 @@ mod hole_fits;
 mod intensity;
 mod layers;
 mod levels;
+mod lines;
 mod local;
 mod modes;
 mod of_stress;

@@ -21,6 +21,9 @@ const MOST_WITH_FAMILIES: usize = 2500;
 /// most: a cube of 1000 takes 0.07 and 0.19 s with bonds over two and three spacings, cycles 0.03 and 0.15 s; with families over three
 /// spacings 0.45 and 0.19 s.
 const FEW_OF_SOLID: usize = 1000;
+/// Points of a membrane up to which a factor takes about as long as a cycle, and leaves more digits: a tube of 5000 takes 0.20 and
+/// 0.17 s, one of 20 000 takes 1.8 and 1.3 s.
+const FEW_OF_SHELL: usize = 10_000;
 
 /// A scene with a model of its body: its own one, or one with other cracks. Points, conditions and loads are those of the
 /// scene.
@@ -98,12 +101,11 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
     }
 
     fn spread(&self) -> Spread {
-        // A cycle on a shell takes the more iterations the finer it is, 190 at 90 000 points: a factor is as fast, and safe.
-        let is_shell = self.scene.material().cylinder_radius().is_some();
         let is_solid = self.scene.body().axes() > 2;
+        let is_small_shell = self.model.needs_all_rows() && self.model.points() <= FEW_OF_SHELL;
         let real = self.model.points() - self.model.ghosts().len();
         match self.scene.solver {
-            Solver::Auto if is_shell && self.model.points() <= TOO_MANY_POINTS => Spread::Plane,
+            Solver::Auto if is_small_shell => Spread::Plane,
             Solver::Auto if is_solid && real <= FEW_OF_SOLID => Spread::Solid,
             _ => levels::spread(self.model.as_solvable()),
         }
@@ -124,6 +126,10 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         }
         let has_fronts = !self.scene.intensities.is_empty();
         Some(solid_memory::of(lattice, &self.scene.material().about(), has_fronts))
+    }
+
+    fn has_matrices(&self) -> bool {
+        self.model.needs_all_rows()
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
