@@ -10,6 +10,10 @@ use crate::stiffness::{BlockRows, TakeForces};
 use peristat_vector::vectorised;
 use std::array::from_fn;
 
+/// Inverse of unknowns that depend on others over the largest of all others: what it adds to them tells their residual, and its digits
+/// are not to be lost in those of the unknowns, in whatever units these are.
+const LAID_BARE: f64 = (1 << 20) as f64;
+
 /// Points that are taken together, the most that a term hands over at once.
 const STRETCH: usize = 64;
 
@@ -25,8 +29,10 @@ pub struct Level<'a, const D: usize, R = f64> {
     others: BlockRows<D, R>,
     /// Whether these are too many to be assembled.
     is_wide: bool,
-    /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is held, one where it depends on others.
+    /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is held, `at_slaves` where it depends on others.
     inverse: Vec<R>,
+    /// What a step adds to an unknown that depends on others, per residual, and the inverse of this.
+    at_slaves: [R; 2],
 }
 
 impl<'a, const D: usize, R: InPrecision> Level<'a, D, R> {
@@ -50,12 +56,14 @@ impl<'a, const D: usize, R: InPrecision> Level<'a, D, R> {
         let is_wide = others.iter().any(|term| term.joins_many());
         let others = BlockRows::new(system.points(), if is_wide { &[] } else { others });
         let (inverse, loose) = system.inverse_blocks();
+        let largest = inverse.iter().fold(f64::MIN_POSITIVE, |largest, v| largest.max(v.abs()));
+        let at_slaves = [LAID_BARE * largest, 1.0 / (LAID_BARE * largest)].map(R::of);
         let mut inverse: Vec<R> = inverse.into_iter().map(R::of).collect();
         for row in system.constraints.rows().iter().filter(|row| !row.masters.is_empty()) {
             let (point, c) = (row.unknown % system.points, row.unknown / system.points);
-            inverse[(c * D + c) * system.points + point] = R::of(1.0);
+            inverse[(c * D + c) * system.points + point] = at_slaves[0];
         }
-        (Self { system, others, is_wide, inverse }, loose)
+        (Self { system, others, is_wide, inverse, at_slaves }, loose)
     }
 
     /// Makes the stand-in of some unknowns that are free one number, `1/unit`: what a step adds there tells their residual.
@@ -139,9 +147,9 @@ impl<'a, const D: usize, R: InPrecision> Level<'a, D, R> {
             );
         });
         if fused {
-            // At a slave the inverse block is one, so that what was added to it tells its residual: that of its masters.
+            // What was added to a slave tells its residual: that of its masters.
             for (slave, moved) in slaves.iter().zip(moved) {
-                let residual = previous[slave.unknown] - moved;
+                let residual = self.at_slaves[1] * (previous[slave.unknown] - moved);
                 slave.masters.iter().for_each(|&(m, share)| {
                     let (point, column) = (m % n, m / n);
                     for row in 0..D {
