@@ -68,7 +68,7 @@ def section(title, words, rows, limit):
     errors, least = ((1e-3, 1e-6, 1e-9, 1e-12), 1000) if limit else ((1e-1, 1e-2, 1e-3, 1e-4, 1e-5), 0)
     at = f" at {least} points or more" if least else ""
     cost = f"CPU milliseconds to an error{at}, in brackets those inside the program:\n\n"
-    parts = [f"## {title}\n\n{cost}{table(*costs(rows, errors, least))}", f"{words}\n"]
+    parts = [f"#### {title}\n\n{cost}{table(*costs(rows, errors, least))}", f"{words}\n"]
     stressed = [row | {"error": row["stress"]} for row in rows if row["stress"] is not None]
     if stressed:
         parts.insert(1, f"The same to an error of the stress:\n\n{table(*costs(stressed, errors, least))}")
@@ -76,7 +76,7 @@ def section(title, words, rows, limit):
     for clock, name in clocks.items():
         head, cells = verdicts(rows, clock, limit)
         parts.append(f"Verdicts, {name}:\n\n{table(head, cells)}")
-    return "\n".join([*parts, points(rows)])
+    return "\n".join(parts)
 
 
 def main():
@@ -111,6 +111,8 @@ def main():
     head = f"{processor()}, one thread; medians of {rounds} rounds; {load}; {spent:.0f} s in all\n"
     text = "\n".join([head, *parts, *(f"{notice}\n" for notice in notices)])
     (WORK / "pareto.md").write_text(text)
+    runs = (f"#### {name.replace('_', ', slenderness ')}\n\n{points(rows)}" for name, rows in sets.items())
+    (WORK / "pareto_runs.md").write_text("\n".join(runs))
     (WORK / "pareto.json").write_text(json.dumps(sets))
     print(text, end="")
     if not without_plots:
