@@ -22,6 +22,7 @@ pub(crate) fn body(scene: &Scene) -> Result<&BodyScene, RunError> {
         scene if scene.case.is_traced() => refused("bodies that break or soften"),
         scene if scene.model.lattice().is_none() => refused("bodies of listed points"),
         scene if !scene.conditions.rigid.is_empty() => refused("bodies with rigid regions"),
+        scene if scene.model.needs_all_rows() => refused("membranes of shells"),
         scene if joins(scene) => refused("bodies with joined sides"),
         scene if scene.limit.is_some() => refused("corrections to the limit of local elasticity"),
         scene if !scene.intensities.is_empty() => {
