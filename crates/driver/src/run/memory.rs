@@ -24,7 +24,7 @@ const SPARSE: usize = 64;
 /// Memory of a multigrid solve, bytes per point: the vectors of conjugate gradients, levels with theirs, inverse blocks.
 const CYCLE: usize = 246;
 /// Memory of the matrices and factors of its levels where these are assembled, bytes per point and per entry of the stiffness:
-/// measured on tubes of 5000 to 1e5 points, with bending and without, where the estimate is 1.0 to 1.5 times what a run takes.
+/// measured on tubes of 20 000 to 1e5 points, with bending and without, where the estimate is 1.1 to 1.5 times what a run takes.
 const MATRICES: [usize; 2] = [9000, 26];
 /// Memory of a solve with the blocks of the points, bytes per point: vectors and inverse blocks.
 const BLOCKS: usize = 166;

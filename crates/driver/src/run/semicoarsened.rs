@@ -7,7 +7,7 @@ use peristat_solve::{Hierarchy, LinePlace, Multigrid, MultigridOptions, Relaxati
 
 /// Stations that the coarsest level has at most: of 1e5 points its factor takes as long as the levels that it spares, and a cycle of
 /// 24 twice as long.
-const COARSEST: u32 = 64;
+pub(super) const COARSEST: u32 = 64;
 
 /// All levels.
 pub(super) struct Lines<'a, const D: usize> {
@@ -39,26 +39,25 @@ impl<const D: usize> Hierarchy for Lines<'_, D> {
     type Real = f64;
 
     fn depth(&self) -> usize {
-        self.below.depth()
+        1 + self.below.depth()
     }
 
     fn size(&self, level: usize) -> usize {
-        if level == 0 { self.finest.system().size() } else { self.below.size(level) }
+        if level == 0 { self.finest.system().size() } else { self.below.size(level - 1) }
     }
 
     fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
-        if level == 0 { self.finest.system().product(x, y) } else { self.below.apply(level, x, y) }
+        if level == 0 { self.finest.system().product(x, y) } else { self.below.apply(level - 1, x, y) }
     }
 
     fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
-        if level == 0 { self.finest.smooth(scale, r, x) } else { self.below.smooth(level, scale, r, x) }
+        if level == 0 { self.finest.smooth(scale, r, x) } else { self.below.smooth(level - 1, scale, r, x) }
     }
 
     fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
-        if level == 0 {
-            self.finest.residual(b, x, r);
-        } else {
-            self.below.residual(level, b, x, r);
+        match level {
+            0 => self.finest.residual(b, x, r),
+            _ => self.below.residual(level - 1, b, x, r),
         }
     }
 
@@ -71,22 +70,25 @@ impl<const D: usize> Hierarchy for Lines<'_, D> {
         previous: &mut [f64],
         scratch: &mut [f64],
     ) {
-        if level == 0 {
-            self.finest.relax([step.keep, step.scale], b, x, previous, scratch);
-        } else {
-            self.below.relax(level, step, b, x, previous, scratch);
+        match level {
+            0 => self.finest.relax([step.keep, step.scale], b, x, previous, scratch),
+            _ => self.below.relax(level - 1, step, b, x, previous, scratch),
         }
     }
 
     fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
-        self.below.restrict(level, fine, coarse);
+        match level {
+            0 => self.below.restrict_finest(fine, coarse),
+            _ => self.below.restrict(level - 1, fine, coarse),
+        }
     }
 
     fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
-        self.below.prolong_add(level, coarse, fine);
-        if level == 0 {
-            // What is held stays at zero, what depends on others follows them.
-            self.finest.system().constraints().expand(0.0, fine);
+        if level > 0 {
+            return self.below.prolong_add(level - 1, coarse, fine);
         }
+        self.below.prolong_add_finest(coarse, fine);
+        // What is held stays at zero, what depends on others follows them.
+        self.finest.system().constraints().expand(0.0, fine);
     }
 }

@@ -14,11 +14,9 @@ mod interpolation;
 mod matrix;
 mod stations;
 
-use crate::Relaxation;
-use crate::{FactorError, Ordering, SparseCholesky};
+use crate::{FactorError, Hierarchy, Ordering, SparseCholesky};
 use interpolation::interpolation;
 use matrix::Matrix;
-use peristat_vector::{extrapolate, subtract_from};
 use sprs::CsMat;
 use stations::StationFactors;
 
@@ -31,7 +29,8 @@ pub struct LinePlace {
     pub line: u32,
 }
 
-/// The levels below a finest one, which is the business of the caller; the last of them has a factor.
+/// The levels below a finest one, which is the business of the caller: level 0 of these is the next coarser. The last of them has a factor
+/// alone.
 pub struct Semicoarsening {
     /// Interpolation to every level that has a coarser one, the finest of all first.
     transfers: Vec<Matrix>,
@@ -49,14 +48,14 @@ struct Level {
 }
 
 impl Semicoarsening {
-    /// Levels below the matrix whose lower triangle is given, and the factor of the coarsest: the first with at most `stations`.
+    /// Levels below the matrix whose lower triangle is given, and the factor of the coarsest: the first of these with at most `stations`.
     /// Unknowns without a place rest.
     ///
     /// # Errors
     /// [`FactorError`] if the part of a station or the coarsest matrix is not positive definite, or there is no memory.
     ///
     /// # Panics
-    /// If `places` and the matrix differ in length, or all unknowns lie within `stations`.
+    /// If `places` and the matrix differ in length.
     pub fn new(
         lower: CsMat<f64>,
         places: &[Option<LinePlace>],
@@ -91,16 +90,6 @@ impl Semicoarsening {
         Ok((below, factor))
     }
 
-    /// Number of levels, the finest included.
-    pub fn depth(&self) -> usize {
-        self.transfers.len() + 1
-    }
-
-    /// Unknowns of a level below the finest.
-    pub fn size(&self, level: usize) -> usize {
-        self.levels.get(level - 1).map_or(self.coarsest, |level| level.matrix.rows())
-    }
-
     /// Stored entries of all matrices and factors, without that of the coarsest.
     pub fn entries(&self) -> usize {
         let levels = self.levels.iter().map(|level| level.matrix.entries() + level.stations.entries());
@@ -108,45 +97,43 @@ impl Semicoarsening {
         levels.chain(transfers).sum()
     }
 
-    /// Writes `A x` over `y`, on a level between the finest and the coarsest.
-    pub fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
-        self.levels[level - 1].matrix.multiply(x, y);
+    /// Writes over `coarse`, of level 0, what `fine` of the finest is there.
+    pub fn restrict_finest(&self, fine: &[f64], coarse: &mut [f64]) {
+        self.restrictions[0].multiply(fine, coarse);
     }
 
-    /// `x += scale M⁻¹ r` with the factors of the stations, on a level between the finest and the coarsest.
-    pub fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
-        self.levels[level - 1].stations.add(scale, r, x);
+    /// Adds to `fine`, of the finest level, the interpolation of `coarse` of level 0.
+    pub fn prolong_add_finest(&self, coarse: &[f64], fine: &mut [f64]) {
+        self.transfers[0].multiply_add(coarse, fine);
+    }
+}
+
+/// Products and smoothing are those of all levels but the last.
+impl Hierarchy for Semicoarsening {
+    type Real = f64;
+
+    fn depth(&self) -> usize {
+        self.transfers.len()
     }
 
-    /// Writes `b - A x` over `r`, on such a level.
-    pub fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
-        self.apply(level, x, r);
-        subtract_from(b, r);
+    fn size(&self, level: usize) -> usize {
+        self.levels.get(level).map_or(self.coarsest, |level| level.matrix.rows())
     }
 
-    /// Writes `x + keep (x - previous) + scale M⁻¹ (b - A x)` over `previous`, on such a level.
-    pub fn relax(
-        &self,
-        level: usize,
-        step: Relaxation,
-        b: &[f64],
-        x: &[f64],
-        previous: &mut [f64],
-        scratch: &mut [f64],
-    ) {
-        self.residual(level, b, x, scratch);
-        extrapolate(previous, step.keep, x);
-        self.smooth(level, step.scale, scratch, previous);
+    fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
+        self.levels[level].matrix.multiply(x, y);
     }
 
-    /// Writes over `coarse`, of the next coarser level, what `fine` of this level is there.
-    pub fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
-        self.restrictions[level].multiply(fine, coarse);
+    fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
+        self.levels[level].stations.add(scale, r, x);
     }
 
-    /// Adds to `fine`, of this level, the interpolation of `coarse` of the next coarser level.
-    pub fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
-        self.transfers[level].multiply_add(coarse, fine);
+    fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
+        self.restrictions[level + 1].multiply(fine, coarse);
+    }
+
+    fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
+        self.transfers[level + 1].multiply_add(coarse, fine);
     }
 }
 

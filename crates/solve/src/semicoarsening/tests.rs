@@ -58,22 +58,28 @@ impl Hierarchy for Levels {
     type Real = f64;
 
     fn depth(&self) -> usize {
-        self.below.depth()
+        1 + self.below.depth()
     }
     fn size(&self, level: usize) -> usize {
-        if level == 0 { self.finest.rows() } else { self.below.size(level) }
+        if level == 0 { self.finest.rows() } else { self.below.size(level - 1) }
     }
     fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
-        if level == 0 { self.finest.multiply(x, y) } else { self.below.apply(level, x, y) }
+        if level == 0 { self.finest.multiply(x, y) } else { self.below.apply(level - 1, x, y) }
     }
     fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
-        if level == 0 { self.stations.add(scale, r, x) } else { self.below.smooth(level, scale, r, x) }
+        if level == 0 { self.stations.add(scale, r, x) } else { self.below.smooth(level - 1, scale, r, x) }
     }
     fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
-        self.below.restrict(level, fine, coarse);
+        match level {
+            0 => self.below.restrict_finest(fine, coarse),
+            _ => self.below.restrict(level - 1, fine, coarse),
+        }
     }
     fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
-        self.below.prolong_add(level, coarse, fine);
+        match level {
+            0 => self.below.prolong_add_finest(coarse, fine),
+            _ => self.below.prolong_add(level - 1, coarse, fine),
+        }
     }
 }
 

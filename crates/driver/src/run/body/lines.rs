@@ -1,18 +1,15 @@
 //! The places of unknowns on the rows of a lattice, along which a cycle makes membranes coarser.
 
+use crate::run::semicoarsened::COARSEST;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::system::System;
 use peristat_solve::LinePlace;
 
-/// Points that a direct factor takes in no time.
-const COARSEST: usize = 1500;
-/// Columns below which a coarser lattice has too few.
-const FEWEST: usize = 16;
-
-/// Whether a lattice is worth coarser levels.
+/// Whether a lattice is worth coarser levels: with fewer columns it would be the coarsest itself, whose factor takes as long as cycles
+/// over one that is half as long, and leaves three digits more.
 pub(super) fn suits(lattice: &SquareLattice) -> bool {
-    lattice.points() > COARSEST && lattice.columns().len() >= FEWEST
+    lattice.columns().len() > COARSEST as usize
 }
 
 /// The places of all unknowns; none of those that are held or follow others. None at all where the body has no such levels.
