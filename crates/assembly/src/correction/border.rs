@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use crate::body::{BorderPart, around};
 use crate::quadrature::{GAUSS, GAUSS_3};
-use std::collections::HashMap;
+use std::ops::RangeInclusive;
 
 /// Places of the rule of eight points, which elsewhere leaves rounding alone, that are enough for fits.
 const ENOUGH: [usize; 4] = [0, 1, 4, 5];
@@ -55,7 +55,8 @@ pub(super) struct Mark {
 pub(super) struct Border {
     pub(super) samples: Vec<Sample>,
     pub(super) marks: Vec<Mark>,
-    by_square: HashMap<[i32; 2], Vec<u32>>,
+    /// Row and column of the square of every mark, and its number, in order.
+    by_square: Vec<([i32; 2], u32)>,
 }
 
 impl Border {
@@ -83,10 +84,9 @@ impl Border {
                 }
             }
         }
-        let mut by_square: HashMap<[i32; 2], Vec<u32>> = HashMap::new();
-        for (k, mark) in (0..).zip(&marks) {
-            by_square.entry(mark.square()).or_default().push(k);
-        }
+        let squares = marks.iter().map(Mark::square).map(|[column, row]| [row, column]);
+        let mut by_square: Vec<([i32; 2], u32)> = squares.zip(0..).collect();
+        by_square.sort_unstable();
         Self { samples, marks, by_square }
     }
 
@@ -100,18 +100,24 @@ impl Border {
     /// Numbers of the marks within a distance of a place, in spacings, that fits are made of.
     pub(super) fn near(&self, place: [f64; 2], reach: f64) -> Vec<u32> {
         let [columns, rows] = place.map(|x| (x - reach).floor() as i32..=(x + reach).floor() as i32);
-        let squares = rows.flat_map(|j| columns.clone().map(move |i| [i, j]));
-        let all = squares.filter_map(|square| self.by_square.get(&square)).flatten();
+        let all = rows.flat_map(|row| self.in_row(row, columns.clone()));
         let is_near = |mark: &u32| {
             let Mark { at: [x, y], is_fitted, .. } = self.marks[*mark as usize];
             is_fitted && (x - place[0]).hypot(y - place[1]) <= reach
         };
-        all.copied().filter(is_near).collect()
+        all.filter(is_near).collect()
+    }
+
+    /// Numbers of the marks in some columns of a row of squares.
+    fn in_row(&self, row: i32, columns: RangeInclusive<i32>) -> impl Iterator<Item = u32> + '_ {
+        let first = self.by_square.partition_point(|(square, _)| *square < [row, *columns.start()]);
+        let last = [row, *columns.end()];
+        self.by_square[first..].iter().take_while(move |(square, _)| *square <= last).map(|(_, mark)| *mark)
     }
 
     /// Whether some of the border lies in a square of four points, given by its lower left one.
-    pub(super) fn crosses(&self, square: [i32; 2]) -> bool {
-        self.by_square.contains_key(&square)
+    pub(super) fn crosses(&self, [column, row]: [i32; 2]) -> bool {
+        self.in_row(row, column..=column).next().is_some()
     }
 }
 

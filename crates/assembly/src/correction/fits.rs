@@ -4,7 +4,7 @@ use super::border::Border;
 use super::grid::{Grid, Node};
 use crate::recovery::hole::HoleFit;
 use crate::recovery::trefftz::{Basis, Known, LocalFit};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, MatrixXx6};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -16,10 +16,15 @@ const ROUGH: f64 = 4.5;
 /// How far these see, in spacings: a square its own points.
 const OWN: f64 = 1.5;
 
+/// Where a fit is read, relative to its centre.
+const CENTRE: [f64; 2] = [0.0; 2];
+
 /// What a fit is made of, and how many spacings it sees.
 #[derive(Clone, Debug)]
 pub(super) struct Fits {
     pub(super) basis: Basis,
+    /// Displacements, rotations and stresses of its fields in the centre, one column each.
+    pub(super) at_centre: MatrixXx6<f64>,
     /// Linear fields of the basis, one column each.
     linear: DMatrix<f64>,
     reach: f64,
@@ -121,7 +126,11 @@ impl Fits {
     pub(super) fn new(stiffness: &[[f64; 3]; 3], degree: i32, reach: f64, singular: Vec<[f64; 2]>) -> Self {
         let basis = Basis::new(stiffness, degree);
         let linear = basis.lower(stiffness, 1);
-        Self { basis, linear, reach, singular, known: Vec::new(), numbers: HashMap::new() }
+        let (u, turn, stress) =
+            (basis.displacements(CENTRE), basis.rotations(CENTRE), basis.stresses(CENTRE));
+        let columns = u.iter().chain(&turn).chain(&stress).copied();
+        let at_centre = MatrixXx6::from_iterator(basis.count(), columns);
+        Self { basis, at_centre, linear, reach, singular, known: Vec::new(), numbers: HashMap::new() }
     }
 
     /// Whether stresses are infinite so near to a place that polynomials of a high degree do harm.

@@ -173,14 +173,13 @@ impl Correction {
 
     /// The polynomials of a fit in its centre.
     fn field(&self, fits: &Fits, at: &Fitted, state: State) -> Field {
-        let coefficients = fits.coefficients(at, &self.border, state);
-        let u = fits.basis.displacements([0.0; 2]) * &coefficients;
+        let values = fits.at_centre.tr_mul(&fits.coefficients(at, &self.border, state));
         let radius = fits.radius(&self.grid);
-        let stress = fits.basis.stresses([0.0; 2]) * &coefficients * (fits.basis.unit() / radius);
+        let stress = |k: usize| values[k] * (fits.basis.unit() / radius);
         Field {
-            displacement: [u[0], u[1]],
-            rotation: fits.basis.rotations([0.0; 2]).dot(&coefficients) / radius,
-            stress: [stress[0], stress[1], stress[2]],
+            displacement: [values[0], values[1]],
+            rotation: values[2] / radius,
+            stress: [stress(3), stress(4), stress(5)],
         }
     }
 

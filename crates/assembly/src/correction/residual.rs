@@ -11,10 +11,10 @@ use super::holes::{HolePull, HoleZone};
 use super::pulls::{Load, Pull, Pulls, add_border, add_face, plain_pulls};
 use super::squares::{Squares, corners};
 use crate::body::Outline;
-use nalgebra::{DMatrix, Matrix3xX, RowDVector};
+use nalgebra::{DMatrix, MatrixXx3};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// A square whose stress acts on points.
 #[derive(Clone, Debug)]
@@ -122,21 +122,22 @@ impl Residual {
 fn summed(
     pulls: &[Pull],
     fields: usize,
-    stress: &dyn Fn([f64; 2]) -> Matrix3xX<f64>,
+    stress: &dyn Fn([f64; 2]) -> MatrixXx3<f64>,
 ) -> (Vec<u32>, DMatrix<f64>) {
-    let mut rows: BTreeMap<u32, [RowDVector<f64>; 2]> = BTreeMap::new();
+    let nodes = pulls.iter().flat_map(|pull| &pull.shares).filter(|(node, _)| node.is_real);
+    let points = BTreeSet::from_iter(nodes.map(|(node, _)| node.number));
+    let points = Vec::from_iter(points);
+    // One column per force, as all fields of one lie together.
+    let mut matrix = DMatrix::zeros(fields, 2 * points.len());
     for pull in pulls {
-        let (s, [x, y]) = (stress(pull.at), pull.area);
-        let along = [s.row(0) * x + s.row(2) * y, s.row(2) * x + s.row(1) * y];
-        for (node, share) in pull.shares.iter().filter(|(node, _)| node.is_real) {
-            let own = rows.entry(node.number).or_insert_with(|| [0, 1].map(|_| RowDVector::zeros(fields)));
-            for c in (0..2).filter(|c| pull.acts[*c]) {
-                own[c] += &along[c] * *share;
+        let (stress, [x, y]) = (stress(pull.at), pull.area);
+        for c in (0..2).filter(|c| pull.acts[*c]) {
+            let along = stress.column(2 * c) * x + stress.column(2 - c) * y;
+            for (node, share) in pull.shares.iter().filter(|(node, _)| node.is_real) {
+                let row = points.partition_point(|point| *point < node.number);
+                matrix.column_mut(2 * row + c).axpy(*share, &along, 1.0);
             }
         }
     }
-    let points: Vec<u32> = rows.keys().copied().collect();
-    let all: Vec<RowDVector<f64>> = rows.into_values().flatten().collect();
-    let matrix = if all.is_empty() { DMatrix::zeros(0, fields) } else { DMatrix::from_rows(&all) };
-    (points, matrix)
+    (points, matrix.transpose())
 }

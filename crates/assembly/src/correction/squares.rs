@@ -4,7 +4,6 @@ use super::border::Border;
 use super::grid::{Grid, Node};
 use super::holes::HoleZone;
 use crate::body::Outline;
-use std::collections::HashMap;
 
 /// How far a square that lacks points may be from the one that takes it, in spacings.
 const FARTHEST: i32 = 3;
@@ -20,11 +19,19 @@ pub(super) const CORNERS: [[i32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 pub(super) struct Squares {
     /// Those that act on points of the body.
     pub(super) all: Vec<Square>,
-    owners: HashMap<Square, u32>,
+    owners: Owners,
     /// Whether a square takes others or has a part of the border, or one beside it has.
     pub(super) is_plain: Vec<bool>,
     /// The hole whose fields a square has in place of its own fit.
     pub(super) holes: Vec<Option<u32>>,
+}
+
+/// Which square has the part of the body in any other, by the places of a grid.
+#[derive(Clone, Debug)]
+struct Owners {
+    low: [i32; 2],
+    size: [i32; 2],
+    numbers: Vec<Option<u32>>,
 }
 
 /// A common side of two squares, or the part of it in the body.
@@ -40,12 +47,11 @@ pub(super) struct Face {
 
 impl Squares {
     pub(super) fn new(grid: &Grid, border: &Border, zones: &[HoleZone]) -> Self {
-        let (low, size) = grid.range();
-        let places = (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| [low[0] + i, low[1] + j]));
+        let mut owners = Owners::none(grid);
         let is_whole = |square: &Square| corners(grid, *square).is_some();
-        let (whole, rest): (Vec<Square>, Vec<Square>) = places.partition(is_whole);
-        let mut owners: HashMap<Square, u32> = whole.iter().copied().zip(0..).collect();
-        let taken = rest.into_iter().filter_map(|square| Some((square, nearest(square, &owners)?)));
+        let (whole, rest): (Vec<Square>, Vec<Square>) = owners.places().partition(is_whole);
+        whole.iter().zip(0..).for_each(|(square, number)| owners.set(*square, number));
+        let taken = rest.into_iter().filter_map(|square| Some((square, owners.nearest(square)?)));
         let taken: Vec<(Square, u32)> = taken.collect();
         let centre = |square: &Square| grid.position(square.map(|low| f64::from(low) + 0.5));
         let holes: Vec<Option<u32>> =
@@ -56,25 +62,26 @@ impl Squares {
             .map(|(square, hole)| {
                 let beside = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]].map(|step| moved(*square, step));
                 hole.is_none()
-                    && beside.iter().all(|other| owners.contains_key(other) && !border.crosses(*other))
+                    && beside.iter().all(|other| owners.of(*other).is_some() && !border.crosses(*other))
             })
             .collect();
-        taken.iter().for_each(|(_, owner)| is_plain[*owner as usize] = false);
-        owners.extend(taken);
+        for (square, owner) in taken {
+            is_plain[owner as usize] = false;
+            owners.set(square, owner);
+        }
         Self { all: whole, owners, is_plain, holes }
     }
 
     /// Number of the square that has the part of the body in this one.
     pub(super) fn owner(&self, square: Square) -> Option<u32> {
-        self.owners.get(&square).copied()
+        self.owners.of(square)
     }
 
     /// The faces between squares of which one at least is not plain; within the fields of a hole there are none.
     pub(super) fn faces(&self, grid: &Grid, border: &Border, outline: &Outline) -> Vec<Face> {
         let mut faces = Vec::new();
-        let mut squares: Vec<(&Square, &u32)> = self.owners.iter().collect();
-        squares.sort_unstable();
-        for (&square, &first) in squares {
+        for square in self.owners.places() {
+            let Some(first) = self.owner(square) else { continue };
             for axis in 0..2 {
                 let step = if axis == 0 { [1, 0] } else { [0, 1] };
                 let next = moved(square, step);
@@ -100,6 +107,42 @@ impl Squares {
     }
 }
 
+impl Owners {
+    fn none(grid: &Grid) -> Self {
+        let (low, size) = grid.range();
+        Self { low, size, numbers: vec![None; (size[0] * size[1]) as usize] }
+    }
+
+    /// All squares, row by row.
+    fn places(&self) -> impl Iterator<Item = Square> + use<> {
+        let (low, size) = (self.low, self.size);
+        (0..size[1]).flat_map(move |j| (0..size[0]).map(move |i| [low[0] + i, low[1] + j]))
+    }
+
+    fn index(&self, square: Square) -> Option<usize> {
+        let [i, j] = [0, 1].map(|k| square[k] - self.low[k]);
+        let is_known = (0..self.size[0]).contains(&i) && (0..self.size[1]).contains(&j);
+        is_known.then_some((i + j * self.size[0]) as usize)
+    }
+
+    fn of(&self, square: Square) -> Option<u32> {
+        self.numbers[self.index(square)?]
+    }
+
+    fn set(&mut self, square: Square, number: u32) {
+        if let Some(k) = self.index(square) {
+            self.numbers[k] = Some(number);
+        }
+    }
+
+    /// The owner that is nearest to a square.
+    fn nearest(&self, square: Square) -> Option<u32> {
+        let steps = (-FARTHEST..=FARTHEST).flat_map(|j| (-FARTHEST..=FARTHEST).map(move |i| [i, j]));
+        let found = steps.filter_map(|step| Some((step, self.of(moved(square, step))?)));
+        found.min_by_key(|([i, j], _)| i * i + j * j).map(|(_, number)| number)
+    }
+}
+
 /// The points of a square.
 pub(super) fn corners(grid: &Grid, square: Square) -> Option<[Node; 4]> {
     let [a, b, c, d] = CORNERS.map(|step| grid.node(moved(square, step)));
@@ -114,13 +157,6 @@ pub(super) fn moved(square: Square, step: [i32; 2]) -> Square {
 pub(super) fn shares(square: Square, at: [f64; 2]) -> [f64; 4] {
     let [x, y] = [0, 1].map(|k| at[k] - f64::from(square[k]));
     CORNERS.map(|[i, j]| (if i == 1 { x } else { 1.0 - x }) * (if j == 1 { y } else { 1.0 - y }))
-}
-
-/// The nearest square among some.
-fn nearest(square: Square, among: &HashMap<Square, u32>) -> Option<u32> {
-    let steps = (-FARTHEST..=FARTHEST).flat_map(|j| (-FARTHEST..=FARTHEST).map(move |i| [i, j]));
-    let found = steps.filter_map(|step| Some((step, *among.get(&moved(square, step))?)));
-    found.min_by_key(|([i, j], _)| i * i + j * j).map(|(_, number)| number)
 }
 
 /// Steps along a face at which it is asked whether it is in the body.

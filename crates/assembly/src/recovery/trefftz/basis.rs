@@ -1,6 +1,6 @@
 //! Polynomials in equilibrium.
 
-use nalgebra::{DMatrix, DVector, Matrix2xX, Matrix3xX};
+use nalgebra::{DMatrix, DVector, MatrixXx2, MatrixXx3};
 
 /// Singular values of the divergence that are smaller, relative to the largest, are zero: the next ones are 0.05 and more.
 const NONE: f64 = 1e-10;
@@ -12,10 +12,8 @@ pub struct Basis {
     powers: Vec<[i32; 2]>,
     /// Coefficients of the powers in ux and uy, one column per field.
     displacement: DMatrix<f64>,
-    /// The same in the rotation.
-    rotation: DMatrix<f64>,
-    /// The same in σ_xx, σ_yy, σ_xy.
-    stress: DMatrix<f64>,
+    /// The same of ux, uy, the rotation, and σ_xx, σ_yy, σ_xy, one column per power: all fields of a component lie together.
+    tables: [DMatrix<f64>; 3],
     unit: f64,
 }
 
@@ -37,7 +35,10 @@ impl Basis {
         let stress = stresses(&powers, &displacement, stiffness, unit);
         let n = powers.len();
         let rotation = 0.5 * (derived(&powers, &displacement, n, 0) - derived(&powers, &displacement, 0, 1));
-        Self { powers, displacement, rotation, stress, unit }
+        let lower = n - degree as usize - 1;
+        let tables = [(&displacement, 2, n), (&rotation, 1, lower), (&stress, 3, lower)];
+        let tables = tables.map(|(of, components, few)| by_power(of, components, few));
+        Self { powers, displacement, tables, unit }
     }
 
     /// Number of fields.
@@ -62,28 +63,46 @@ impl Basis {
         self.unit
     }
 
-    /// Displacements of all fields at a place.
-    pub fn displacements(&self, at: [f64; 2]) -> Matrix2xX<f64> {
-        let values = self.values(at);
-        let n = self.powers.len();
-        Matrix2xX::from_fn(self.count(), |c, k| values.dot(&self.displacement.view((c * n, k), (n, 1))))
+    /// Displacements of all fields at a place, one column each along x and y.
+    pub fn displacements(&self, at: [f64; 2]) -> MatrixXx2<f64> {
+        MatrixXx2::from_vec(self.values(0, at))
     }
 
     /// Rotations `½ (∂u_y/∂x − ∂u_x/∂y)` of all fields at a place.
     pub fn rotations(&self, at: [f64; 2]) -> DVector<f64> {
-        self.rotation.tr_mul(&self.values(at))
+        DVector::from_vec(self.values(1, at))
     }
 
-    /// Stresses of all fields at a place.
-    pub fn stresses(&self, at: [f64; 2]) -> Matrix3xX<f64> {
-        let values = self.values(at);
-        let n = self.powers.len();
-        Matrix3xX::from_fn(self.count(), |c, k| values.dot(&self.stress.view((c * n, k), (n, 1))))
+    /// Stresses of all fields at a place, one column each of σ_xx, σ_yy, σ_xy.
+    pub fn stresses(&self, at: [f64; 2]) -> MatrixXx3<f64> {
+        MatrixXx3::from_vec(self.values(2, at))
     }
 
-    fn values(&self, [x, y]: [f64; 2]) -> DVector<f64> {
-        DVector::from_iterator(self.powers.len(), self.powers.iter().map(|[a, b]| x.powi(*a) * y.powi(*b)))
+    /// What a table says at a place.
+    fn values(&self, table: usize, [x, y]: [f64; 2]) -> Vec<f64> {
+        let table = &self.tables[table];
+        let mut powers: Vec<f64> = Vec::with_capacity(self.powers.len());
+        let mut values = vec![0.0; table.nrows()];
+        for ([a, b], column) in self.powers.iter().zip(table.as_slice().chunks_exact(table.nrows())) {
+            // The powers of a degree follow from those of the degree below, which come just before them.
+            let (degree, k) = ((a + b) as usize, powers.len());
+            let power = match (a, b) {
+                (0, 0) => 1.0,
+                (0, _) => y * powers[k - degree - 1],
+                _ => x * powers[k - degree],
+            };
+            powers.push(power);
+            values.iter_mut().zip(column).for_each(|(value, c)| *value += power * c);
+        }
+        values
     }
+}
+
+/// Coefficients with one column per field and the powers of every component below each other, by powers, of which the first
+/// few are not zero.
+fn by_power(of: &DMatrix<f64>, components: usize, few: usize) -> DMatrix<f64> {
+    let (n, count) = (of.nrows() / components, of.ncols());
+    DMatrix::from_fn(components * count, few, |k, power| of[(k / count * n + power, k % count)])
 }
 
 /// The derivative of polynomials along an axis: those of a component are rows from `first`.

@@ -58,34 +58,29 @@ impl LocalFit {
 
 /// The equations of what is known, and what its numbers are multiplied by.
 fn equations(basis: &Basis, radius: f64, known: &[Known]) -> (DMatrix<f64>, DVector<f64>) {
-    let mut matrix = DMatrix::zeros(2 * known.len(), basis.count());
+    let fields = basis.count();
+    // One column per equation, as all fields of one lie together.
+    let mut matrix = DMatrix::zeros(fields, 2 * known.len());
     let mut weights = DVector::zeros(2 * known.len());
-    for (k, one) in known.iter().enumerate() {
+    let columns = matrix.as_mut_slice().chunks_exact_mut(2 * fields);
+    for ((one, columns), weights) in known.iter().zip(columns).zip(weights.as_mut_slice().chunks_exact_mut(2))
+    {
         let (Known::Displacement(at) | Known::Border { at, .. }) = *one;
         let weight = (-at[0] * at[0] - at[1] * at[1]).exp();
-        let mut enter = |c: usize, row: nalgebra::RowDVector<f64>, unit: f64| {
-            matrix.row_mut(2 * k + c).copy_from(&(row * weight));
-            weights[2 * k + c] = weight * unit;
-        };
-        let moved = || basis.displacements(at);
-        match *one {
-            Known::Displacement(_) => {
-                let rows = moved();
-                (0..2).for_each(|c| enter(c, rows.row(c).into_owned(), 1.0));
-            }
-            Known::Border { normal: [x, y], held, .. } => {
-                let stress = basis.stresses(at);
-                let traction = [stress.row(0) * x + stress.row(2) * y, stress.row(2) * x + stress.row(1) * y];
-                for (c, row) in traction.into_iter().enumerate() {
-                    match held[c] {
-                        true => enter(c, moved().row(c).into_owned(), 1.0),
-                        false => enter(c, row, radius / basis.unit()),
-                    }
-                }
+        weights.fill(weight);
+        columns.copy_from_slice(basis.displacements(at).as_slice());
+        if let Known::Border { normal: [x, y], held, .. } = *one {
+            let stress = basis.stresses(at);
+            let free = columns.chunks_exact_mut(fields).enumerate().filter(|(c, _)| !held[*c]);
+            for (c, column) in free {
+                let [along_x, along_y] = [stress.column(2 * c), stress.column(2 - c)];
+                column.iter_mut().zip(0..).for_each(|(t, k)| *t = along_x[k] * x + along_y[k] * y);
+                weights[c] *= radius / basis.unit();
             }
         }
+        columns.iter_mut().for_each(|x| *x *= weight);
     }
-    (matrix, weights)
+    (matrix.transpose(), weights)
 }
 
 /// The inverse in the sense of least squares: of the triangle of a factor, which is small.
@@ -93,8 +88,16 @@ fn inverse(matrix: DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (rows, columns) = matrix.shape();
     let tall = if rows < columns { matrix.resize_vertically(columns, 0.0) } else { matrix };
     let factor = tall.qr();
-    let svd = factor.r().svd(true, true);
-    let triangle = svd.pseudo_inverse(TOLD * factor.r().norm()).ok()?;
-    let all = triangle * factor.q().transpose();
+    let triangle = factor.r();
+    let least = TOLD * triangle.norm();
+    // The smallest singular value is at least one over the norm of the inverse: mostly none is to be left out.
+    let whole = triangle
+        .solve_upper_triangular(&DMatrix::identity(columns, columns))
+        .filter(|inverse| inverse.norm() * least < 1.0);
+    let inverse = match whole {
+        Some(inverse) => inverse,
+        None => triangle.svd(true, true).pseudo_inverse(least).ok()?,
+    };
+    let all = inverse * factor.q().transpose();
     all.iter().all(|x| x.is_finite()).then(|| all.columns(0, rows).into_owned())
 }

@@ -43,17 +43,17 @@ fn stresses_are_those_of_the_displacements_and_in_equilibrium() {
     let turn = |k: usize| (basis.stresses(moved(k, h)) - basis.stresses(moved(k, -h))) / (2.0 * h);
     let (along, across) = (turn(0), turn(1));
     for k in 0..basis.count() {
-        let strain = [by_x[(0, k)], by_y[(1, k)], by_y[(0, k)] + by_x[(1, k)]];
+        let strain = [by_x[(k, 0)], by_y[(k, 1)], by_y[(k, 0)] + by_x[(k, 1)]];
         // Found: 6e-9, the differences.
-        assert!((rotation[k] - 0.5 * (by_x[(1, k)] - by_y[(0, k)])).abs() < 5e-8, "{k}");
+        assert!((rotation[k] - 0.5 * (by_x[(k, 1)] - by_y[(k, 0)])).abs() < 5e-8, "{k}");
         for r in 0..3 {
             let expected: f64 = (0..3).map(|c| stiffness[r][c] * strain[c]).sum::<f64>() / stiffness[0][0];
             // Found: 7e-9, the differences.
-            assert!((stress[(r, k)] - expected).abs() < 5e-8, "{k} {r}");
+            assert!((stress[(k, r)] - expected).abs() < 5e-8, "{k} {r}");
         }
         // Found: 2e-9.
-        assert!((along[(0, k)] + across[(2, k)]).abs() < 5e-8);
-        assert!((along[(2, k)] + across[(1, k)]).abs() < 5e-8);
+        assert!((along[(k, 0)] + across[(k, 2)]).abs() < 5e-8);
+        assert!((along[(k, 2)] + across[(k, 1)]).abs() < 5e-8);
     }
 }
 
@@ -75,16 +75,16 @@ fn fits_reproduce_their_fields() {
                 let fit = LocalFit::new(&basis, radius, &known).unwrap();
                 let given = |field: usize| -> Vec<f64> {
                     let of = |one: &Known| match *one {
-                        Known::Displacement(at) => basis.displacements(at).column(field).into_owned(),
+                        Known::Displacement(at) => basis.displacements(at).row(field).transpose(),
                         Known::Border { at, normal: [x, y], held } => {
                             let (s, u) = (basis.stresses(at), basis.displacements(at));
                             let unit = basis.unit() / radius;
                             let t = [
-                                s[(0, field)] * x + s[(2, field)] * y,
-                                s[(2, field)] * x + s[(1, field)] * y,
+                                s[(field, 0)] * x + s[(field, 2)] * y,
+                                s[(field, 2)] * x + s[(field, 1)] * y,
                             ];
                             nalgebra::Vector2::from_fn(
-                                |c, _| if held[c] { u[(c, field)] } else { unit * t[c] },
+                                |c, _| if held[c] { u[(field, c)] } else { unit * t[c] },
                             )
                         }
                     };
@@ -123,7 +123,7 @@ fn fits_are_of_the_fifth_order() {
         let fit = LocalFit::new(&basis, 3.2 * spacing, &known).unwrap();
         let place = |at: [f64; 2]| at.map(|x| 0.2 + 3.2 * spacing * x);
         let values: Vec<f64> = all.iter().flat_map(|at| exact(place(*at))).collect();
-        let found = basis.displacements([0.1, 0.2]) * fit.coefficients(&values);
+        let found = basis.displacements([0.1, 0.2]).tr_mul(&fit.coefficients(&values));
         let expected = exact(place([0.1, 0.2]));
         (found[0] - expected[0]).hypot(found[1] - expected[1])
     };
