@@ -16,9 +16,6 @@ const ROUGH: f64 = 4.5;
 /// How far these see, in spacings: a square its own points.
 const OWN: f64 = 1.5;
 
-/// Where a fit is read, relative to its centre.
-const CENTRE: [f64; 2] = [0.0; 2];
-
 /// What a fit is made of, and how many spacings it sees.
 #[derive(Clone, Debug)]
 pub(super) struct Fits {
@@ -126,8 +123,9 @@ impl Fits {
     pub(super) fn new(stiffness: &[[f64; 3]; 3], degree: i32, reach: f64, singular: Vec<[f64; 2]>) -> Self {
         let basis = Basis::new(stiffness, degree);
         let linear = basis.lower(stiffness, 1);
+        let centre = [0.0; 2];
         let (u, turn, stress) =
-            (basis.displacements(CENTRE), basis.rotations(CENTRE), basis.stresses(CENTRE));
+            (basis.displacements(centre), basis.rotations(centre), basis.stresses(centre));
         let columns = u.iter().chain(&turn).chain(&stress).copied();
         let at_centre = MatrixXx6::from_iterator(basis.count(), columns);
         Self { basis, at_centre, linear, reach, singular, known: Vec::new(), numbers: HashMap::new() }

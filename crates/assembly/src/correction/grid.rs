@@ -25,9 +25,35 @@ pub(super) struct Grid {
     origin: [f64; 2],
     /// Lines of symmetry: places across x and y, before the body and behind it.
     lines: [[Option<f64>; 2]; 2],
+    frame: Frame,
+    nodes: Vec<Option<Node>>,
+}
+
+/// Places in rows that begin at a lower left one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
     low: [i32; 2],
     size: [i32; 2],
-    nodes: Vec<Option<Node>>,
+}
+
+impl Frame {
+    /// Its places, row by row.
+    pub(super) fn places(self) -> impl Iterator<Item = [i32; 2]> {
+        let Self { low, size } = self;
+        (0..size[1]).flat_map(move |j| (0..size[0]).map(move |i| [low[0] + i, low[1] + j]))
+    }
+
+    /// How many places it has.
+    pub(super) fn count(self) -> usize {
+        (self.size[0] * self.size[1]) as usize
+    }
+
+    /// The number of a place among them.
+    pub(super) fn index(self, place: [i32; 2]) -> Option<usize> {
+        let [i, j] = [0, 1].map(|k| place[k] - self.low[k]);
+        let is_within = (0..self.size[0]).contains(&i) && (0..self.size[1]).contains(&j);
+        is_within.then_some((i + j * self.size[0]) as usize)
+    }
 }
 
 impl Grid {
@@ -35,36 +61,33 @@ impl Grid {
         let ranges = [lattice.columns(), lattice.rows()];
         let low = [0, 1].map(|k| ranges[k].start - BEYOND);
         let size = [0, 1].map(|k| ranges[k].end + BEYOND - low[k]);
-        let node = |k: i32| {
-            let cell = [low[0] + k % size[0], low[1] + k / size[0], 0];
+        let frame = Frame { low, size };
+        let node = |[i, j]: [i32; 2]| {
+            let cell = [i, j, 0];
             let (image, [x, y, _]) = if mirrors.is_none() { (cell, [1.0; 3]) } else { mirrors.image(cell) };
             let number = lattice.number(image)? as u32;
             Some(Node { number, signs: [x, y].map(|sign| sign as i8), is_real: image == cell })
         };
-        let nodes = (0..size[0] * size[1]).map(node).collect();
+        let nodes = frame.places().map(node).collect();
         let line = |line: Option<i32>| line.map(|first| f64::from(first) - 0.5);
         let lines = [0, 1].map(|k| mirrors.lines[k].map(line));
-        Self { spacing: lattice.spacing(), origin: lattice.place_of([0; 3]), lines, low, size, nodes }
+        Self { spacing: lattice.spacing(), origin: lattice.place_of([0; 3]), lines, frame, nodes }
     }
 
     /// The point at a place.
     pub(super) fn node(&self, place: [i32; 2]) -> Option<Node> {
-        let [i, j] = [0, 1].map(|k| place[k] - self.low[k]);
-        let is_known = (0..self.size[0]).contains(&i) && (0..self.size[1]).contains(&j);
-        if is_known { self.nodes[(i + j * self.size[0]) as usize] } else { None }
+        self.nodes[self.frame.index(place)?]
     }
 
     /// The points of the body with their places.
     pub(super) fn real(&self) -> impl Iterator<Item = (u32, [i32; 2])> + '_ {
-        let place = |k: usize| [self.low[0] + k as i32 % self.size[0], self.low[1] + k as i32 / self.size[0]];
-        let real =
-            self.nodes.iter().enumerate().filter_map(move |(k, node)| Some((node.as_ref()?, place(k))));
-        real.filter(|(node, _)| node.is_real).map(|(node, place)| (node.number, place))
+        let nodes = self.nodes.iter().zip(self.frame.places());
+        nodes.filter_map(|(node, place)| node.filter(|node| node.is_real).map(|node| (node.number, place)))
     }
 
-    /// First place and number of places along x and y.
-    pub(super) fn range(&self) -> ([i32; 2], [i32; 2]) {
-        (self.low, self.size)
+    /// All places, images and those without a point among them.
+    pub(super) fn frame(&self) -> Frame {
+        self.frame
     }
 
     /// The place of a position, m.

@@ -1,7 +1,7 @@
 //! Squares between four points, each with one fit, and what they share of the body.
 
 use super::border::Border;
-use super::grid::{Grid, Node};
+use super::grid::{Frame, Grid, Node};
 use super::holes::HoleZone;
 use crate::body::Outline;
 
@@ -29,8 +29,7 @@ pub(super) struct Squares {
 /// Which square has the part of the body in any other, by the places of a grid.
 #[derive(Clone, Debug)]
 struct Owners {
-    low: [i32; 2],
-    size: [i32; 2],
+    frame: Frame,
     numbers: Vec<Option<u32>>,
 }
 
@@ -49,7 +48,7 @@ impl Squares {
     pub(super) fn new(grid: &Grid, border: &Border, zones: &[HoleZone]) -> Self {
         let mut owners = Owners::none(grid);
         let is_whole = |square: &Square| corners(grid, *square).is_some();
-        let (whole, rest): (Vec<Square>, Vec<Square>) = owners.places().partition(is_whole);
+        let (whole, rest): (Vec<Square>, Vec<Square>) = grid.frame().places().partition(is_whole);
         whole.iter().zip(0..).for_each(|(square, number)| owners.set(*square, number));
         let taken = rest.into_iter().filter_map(|square| Some((square, owners.nearest(square)?)));
         let taken: Vec<(Square, u32)> = taken.collect();
@@ -80,7 +79,7 @@ impl Squares {
     /// The faces between squares of which one at least is not plain; within the fields of a hole there are none.
     pub(super) fn faces(&self, grid: &Grid, border: &Border, outline: &Outline) -> Vec<Face> {
         let mut faces = Vec::new();
-        for square in self.owners.places() {
+        for square in grid.frame().places() {
             let Some(first) = self.owner(square) else { continue };
             for axis in 0..2 {
                 let step = if axis == 0 { [1, 0] } else { [0, 1] };
@@ -109,28 +108,16 @@ impl Squares {
 
 impl Owners {
     fn none(grid: &Grid) -> Self {
-        let (low, size) = grid.range();
-        Self { low, size, numbers: vec![None; (size[0] * size[1]) as usize] }
-    }
-
-    /// All squares, row by row.
-    fn places(&self) -> impl Iterator<Item = Square> + use<> {
-        let (low, size) = (self.low, self.size);
-        (0..size[1]).flat_map(move |j| (0..size[0]).map(move |i| [low[0] + i, low[1] + j]))
-    }
-
-    fn index(&self, square: Square) -> Option<usize> {
-        let [i, j] = [0, 1].map(|k| square[k] - self.low[k]);
-        let is_known = (0..self.size[0]).contains(&i) && (0..self.size[1]).contains(&j);
-        is_known.then_some((i + j * self.size[0]) as usize)
+        let frame = grid.frame();
+        Self { frame, numbers: vec![None; frame.count()] }
     }
 
     fn of(&self, square: Square) -> Option<u32> {
-        self.numbers[self.index(square)?]
+        self.numbers[self.frame.index(square)?]
     }
 
     fn set(&mut self, square: Square, number: u32) {
-        if let Some(k) = self.index(square) {
+        if let Some(k) = self.frame.index(square) {
             self.numbers[k] = Some(number);
         }
     }

@@ -12,9 +12,18 @@ pub struct Basis {
     powers: Vec<[i32; 2]>,
     /// Coefficients of the powers in ux and uy, one column per field.
     displacement: DMatrix<f64>,
-    /// The same of ux, uy, the rotation, and σ_xx, σ_yy, σ_xy, one column per power: all fields of a component lie together.
-    tables: [DMatrix<f64>; 3],
+    by_power: Tables,
     unit: f64,
+}
+
+/// Coefficients with one column per power, in which all fields of a component lie together: as a place needs them.
+#[derive(Clone, Debug)]
+struct Tables {
+    /// Of ux and uy.
+    displacements: DMatrix<f64>,
+    rotations: DMatrix<f64>,
+    /// Of σ_xx, σ_yy and σ_xy.
+    stresses: DMatrix<f64>,
 }
 
 impl Basis {
@@ -35,10 +44,14 @@ impl Basis {
         let stress = stresses(&powers, &displacement, stiffness, unit);
         let n = powers.len();
         let rotation = 0.5 * (derived(&powers, &displacement, n, 0) - derived(&powers, &displacement, 0, 1));
+        // Derivatives have no power of the highest degree.
         let lower = n - degree as usize - 1;
-        let tables = [(&displacement, 2, n), (&rotation, 1, lower), (&stress, 3, lower)];
-        let tables = tables.map(|(of, components, few)| by_power(of, components, few));
-        Self { powers, displacement, tables, unit }
+        let by_power = Tables {
+            displacements: by_power(&displacement, 2, n),
+            rotations: by_power(&rotation, 1, lower),
+            stresses: by_power(&stress, 3, lower),
+        };
+        Self { powers, displacement, by_power, unit }
     }
 
     /// Number of fields.
@@ -65,22 +78,21 @@ impl Basis {
 
     /// Displacements of all fields at a place, one column each along x and y.
     pub fn displacements(&self, at: [f64; 2]) -> MatrixXx2<f64> {
-        MatrixXx2::from_vec(self.values(0, at))
+        MatrixXx2::from_vec(self.values(&self.by_power.displacements, at))
     }
 
     /// Rotations `½ (∂u_y/∂x − ∂u_x/∂y)` of all fields at a place.
     pub fn rotations(&self, at: [f64; 2]) -> DVector<f64> {
-        DVector::from_vec(self.values(1, at))
+        DVector::from_vec(self.values(&self.by_power.rotations, at))
     }
 
     /// Stresses of all fields at a place, one column each of σ_xx, σ_yy, σ_xy.
     pub fn stresses(&self, at: [f64; 2]) -> MatrixXx3<f64> {
-        MatrixXx3::from_vec(self.values(2, at))
+        MatrixXx3::from_vec(self.values(&self.by_power.stresses, at))
     }
 
     /// What a table says at a place.
-    fn values(&self, table: usize, [x, y]: [f64; 2]) -> Vec<f64> {
-        let table = &self.tables[table];
+    fn values(&self, table: &DMatrix<f64>, [x, y]: [f64; 2]) -> Vec<f64> {
         let mut powers: Vec<f64> = Vec::with_capacity(self.powers.len());
         let mut values = vec![0.0; table.nrows()];
         for ([a, b], column) in self.powers.iter().zip(table.as_slice().chunks_exact(table.nrows())) {
@@ -98,11 +110,11 @@ impl Basis {
     }
 }
 
-/// Coefficients with one column per field and the powers of every component below each other, by powers, of which the first
-/// few are not zero.
-fn by_power(of: &DMatrix<f64>, components: usize, few: usize) -> DMatrix<f64> {
+/// The first powers of coefficients that have one column per field and the powers of a component below each other: one column
+/// per power, with the fields of a component below each other.
+fn by_power(of: &DMatrix<f64>, components: usize, first: usize) -> DMatrix<f64> {
     let (n, count) = (of.nrows() / components, of.ncols());
-    DMatrix::from_fn(components * count, few, |k, power| of[(k / count * n + power, k % count)])
+    DMatrix::from_fn(components * count, first, |k, power| of[(k / count * n + power, k % count)])
 }
 
 /// The derivative of polynomials along an axis: those of a component are rows from `first`.

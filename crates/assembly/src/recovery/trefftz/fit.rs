@@ -33,13 +33,13 @@ impl LocalFit {
     /// as the displacements of half a radius that they strain. None if the equations are not finite.
     pub fn new(basis: &Basis, radius: f64, known: &[Known]) -> Option<Self> {
         let (matrix, weights) = equations(basis, radius, known);
-        Some(Self::weighted(inverse(matrix)?, &weights))
+        Some(Self::weighted(pseudo_inverse(matrix)?, &weights))
     }
 
     /// The same of some combinations of the fields alone, one column each.
     pub fn within(combinations: &DMatrix<f64>, basis: &Basis, radius: f64, known: &[Known]) -> Option<Self> {
         let (matrix, weights) = equations(basis, radius, known);
-        Some(Self::weighted(combinations * inverse(matrix * combinations)?, &weights))
+        Some(Self::weighted(combinations * pseudo_inverse(matrix * combinations)?, &weights))
     }
 
     fn weighted(mut solution: DMatrix<f64>, weights: &DVector<f64>) -> Self {
@@ -84,7 +84,7 @@ fn equations(basis: &Basis, radius: f64, known: &[Known]) -> (DMatrix<f64>, DVec
 }
 
 /// The inverse in the sense of least squares: of the triangle of a factor, which is small.
-fn inverse(matrix: DMatrix<f64>) -> Option<DMatrix<f64>> {
+fn pseudo_inverse(matrix: DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (rows, columns) = matrix.shape();
     let tall = if rows < columns { matrix.resize_vertically(columns, 0.0) } else { matrix };
     let factor = tall.qr();
@@ -94,10 +94,7 @@ fn inverse(matrix: DMatrix<f64>) -> Option<DMatrix<f64>> {
     let whole = triangle
         .solve_upper_triangular(&DMatrix::identity(columns, columns))
         .filter(|inverse| inverse.norm() * least < 1.0);
-    let inverse = match whole {
-        Some(inverse) => inverse,
-        None => triangle.svd(true, true).pseudo_inverse(least).ok()?,
-    };
-    let all = inverse * factor.q().transpose();
+    let of_triangle = whole.or_else(|| triangle.svd(true, true).pseudo_inverse(least).ok())?;
+    let all = of_triangle * factor.q().transpose();
     all.iter().all(|x| x.is_finite()).then(|| all.columns(0, rows).into_owned())
 }

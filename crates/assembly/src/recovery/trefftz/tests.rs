@@ -1,6 +1,7 @@
 //! Fits against the fields that they are made of, and against one that they are not.
 
 use super::*;
+use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
 fn isotropic(e: f64, nu: f64) -> [[f64; 3]; 3] {
@@ -100,6 +101,30 @@ fn fits_reproduce_their_fields() {
                 }
             }
         }
+    }
+}
+
+/// Where less is known than there are fields, or points in a row see some of them alone, a fit still meets what is known.
+#[test]
+fn fits_of_few_points_meet_them() {
+    let basis = Basis::new(&isotropic(70e9, 0.3), 4);
+    let square = vec![[-0.2, -0.2], [0.2, -0.2], [-0.2, 0.2], [0.2, 0.2]];
+    let row: Vec<[f64; 2]> = (0..12).map(|k| [f64::from(k) / 12.0 - 0.5, 0.1]).collect();
+    for points in [square, row] {
+        let known: Vec<Known> = points.iter().map(|at| Known::Displacement(*at)).collect();
+        let fit = LocalFit::new(&basis, 3.2, &known).unwrap();
+        // A polynomial of degree four along the row, and any four values.
+        let given: Vec<f64> = points.iter().flat_map(|[x, y]| [1.0 + x - x.powi(4), y + x * x * x]).collect();
+        let coefficients = fit.coefficients(&given);
+        let matrix = DMatrix::from_fn(given.len(), basis.count(), |r, field| {
+            basis.displacements(points[r / 2])[(field, r % 2)]
+        });
+        let given = DVector::from_vec(given);
+        // Worst found: 2e-13.
+        assert!((&matrix * &coefficients - &given).amax() < 1e-11);
+        // Of the many that meet them it is the smallest.
+        let smallest = matrix.svd(true, true).solve(&given, 1e-8).unwrap();
+        assert!((coefficients - smallest).amax() < 1e-11);
     }
 }
 
