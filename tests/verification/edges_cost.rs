@@ -204,7 +204,7 @@ fn pierced(fibre_angle: u32, spacing: f64, radius: f64) -> Value {
 fn a_hole_whose_boundary_layer_is_thinner_than_the_horizon_is_told() {
     let summary = solve(&pierced(0, 1.0, 10.0));
     // An independent finite element solution has 8.42; 8.10 from the fields around the hole, 4.31 from points.
-    assert!((summary.probes[0].value - 8.1034).abs() < 1e-3, "{}", summary.probes[0].value);
+    assert!((summary.probes[0].value - 8.1001).abs() < 1e-3, "{}", summary.probes[0].value);
     let words = warning(&summary, "the hole `h`").expect("a warning");
     // R/β² = 10/26.88.
     assert!(words.contains("within 0.37 of its border") && words.contains("the horizon is 3"), "{words}");

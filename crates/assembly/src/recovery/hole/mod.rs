@@ -159,7 +159,12 @@ impl HoleFields {
 
     /// How many fields there are.
     pub fn count(&self) -> usize {
-        4 * self.order + 2
+        Self::count_of(self.order)
+    }
+
+    /// How many fields the powers up to `order` make.
+    pub const fn count_of(order: usize) -> usize {
+        4 * order + 2
     }
 
     /// All fields at a position outside of the hole or on its border.

@@ -4,6 +4,7 @@
 //! the loads; what replaces displacements beside the border moves the points that are held, and the body follows them back.
 
 use super::fields::BodyResult;
+use super::layers;
 use super::of_stress::{Medium, of_stress};
 use crate::diagnostic::{Faults, root};
 use crate::run::{Corrections, RunError, scan};
@@ -58,8 +59,9 @@ impl<'a> Local<'a> {
     pub(super) fn of(scene: &'a BodyScene, recover: bool) -> Result<Option<Self>, RunError> {
         let Some((limit, model, outline)) = parts(scene) else { return Ok(None) };
         let ratio = scene.material().about().horizon_ratio;
-        let rings = HoleRing::of(scene).into_iter().filter_map(|ring| Some((ring.zone()?, ring)));
-        let (holes, rings): (Vec<HoleZone>, Vec<HoleRing>) = rings.unzip();
+        let rings = HoleRing::of(scene);
+        layers::check_told(scene, &rings, FITTING.reach * scene.spacing())?;
+        let holes: Vec<HoleZone> = rings.iter().map(HoleRing::zone).collect();
         let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes, singular: &limit.singular };
         let places = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();
         let reads_points = recover || scene.model.turning().is_some();
