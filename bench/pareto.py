@@ -1,4 +1,4 @@
-"""Run time against error of peristat and of programs that a user would take instead, on a beam and on a plate.
+"""Run time against error of peristat and of programs that a user would take instead, on a beam, on a plate and at holes.
 
 Every run is a process of its own on one thread: its user and system seconds, start and imports included, its peak of
 memory (medians), and the seconds that it gives itself (the least). Programs alternate. Every other program is told
@@ -17,11 +17,13 @@ from statistics import median
 
 from measure import ROOT, WORK, processor
 from pareto_front import costs, verdicts
-from pareto_jobs import beams, missing, plates
+from pareto_jobs import beams, holes, missing, plates
+from pareto_problems import HOLES
 
 THREADS = "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"
 LIMIT = 1e-3  # of the errors of beams that count
 BELOW = "one is below if peristat needs more time for an error no larger"
+TITLES = {"hole_isotropic": "Hole in an isotropic plate", "hole_laminate": "Hole in a laminate"}
 LONG = 2.0  # CPU seconds from which three runs do
 
 
@@ -99,10 +101,14 @@ def main():
         sets[f"beam_{slenderness}"] = measured(list(beams(slenderness, most, lacks, has_ccx)), rounds)
     print("plate", file=sys.stderr)
     sets["plate"] = measured(list(plates(options.quick, lacks, has_ccx)), rounds)
+    for name in HOLES:
+        print(f"hole, {name}", file=sys.stderr)
+        sets[f"hole_{name}"] = measured(list(holes(name, options.quick, lacks, has_ccx)), rounds)
     parts = []
     for name, rows in sets.items():
-        if name == "plate":
-            parts.append(section("Plate", f"Runs of every error count; {BELOW}.", rows, None))
+        if not name.startswith("beam"):
+            title = TITLES.get(name, "Plate")
+            parts.append(section(title, f"Runs of every error count; {BELOW}.", rows, None))
         else:
             words = f"Runs with errors under {LIMIT:g} count; {BELOW} at no fewer points."
             parts.append(section(f"Beam of slenderness {name.split('_')[1]}", words, rows, LIMIT))

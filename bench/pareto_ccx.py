@@ -11,13 +11,22 @@ def number(value):
     return f"{value:.11e}"
 
 
-def deck(nodes, elements, material, section, loads):
-    """The whole file; `loads` begins with what is held."""
+def deck(nodes, elements, material, section, loads, asked=("*NODE PRINT,NSET=ALL", "U")):
+    """The whole file; `loads` begins with what is held. `material`: two constants, or four of an orthotropic lamina."""
     lines = ["*NODE,NSET=ALL"]
     lines += [f"{k},{number(x)},{number(y)},0" for k, (x, y) in enumerate(nodes, 1)]
-    lines += elements
-    lines += ["*MATERIAL,NAME=M", "*ELASTIC", ",".join(map(number, material)), *section, *loads]
-    return "\n".join([*lines, "*NODE PRINT,NSET=ALL", "U", "*END STEP", ""])
+    lines += [*elements, "*MATERIAL,NAME=M", *elastic(*material), *section, *loads]
+    return "\n".join([*lines, *asked, "*END STEP", ""])
+
+
+def elastic(along, *rest):
+    """Of Young's modulus and Poisson's ratio, or of both moduli, Poisson's ratio and the shear modulus of a lamina."""
+    if len(rest) == 1:
+        return "*ELASTIC", f"{number(along)},{number(*rest)}"
+    across, poisson, shear = rest
+    # Nothing of what is across the plane is seen in plane stress.
+    first = along, across, across, poisson, 0.0, 0.0, shear, shear
+    return "*ELASTIC,TYPE=ENGINEERING CONSTANTS", ",".join(map(number, first)), number(shear)
 
 
 def beam_deck(kind, n, slenderness):
@@ -109,3 +118,40 @@ def plate_error(path, order, size):
         worst = max(worst, *(abs(a - b) for a, b in zip(found, exact)))
         largest = max(largest, *map(abs, exact))
     return worst / largest
+
+
+def hole_deck(plate, size):
+    """Elements CPS8 that follow the hole, `size` along it and as many away from it."""
+    import numpy as np
+    from pareto_mesh import quarter
+
+    places = quarter(plate, size)
+    label = {}
+    for i, j in np.ndindex(places.shape[:2]):
+        if not i & j & 1:
+            label[i, j] = len(label) + 1
+    around = (0, 0), (0, 2), (2, 2), (2, 0), (0, 1), (1, 2), (2, 1), (1, 0)
+    elements = ["*ELEMENT,TYPE=CPS8,ELSET=E"]
+    for k, (i, j) in enumerate(((2 * i, 2 * j) for i in range(size) for j in range(size)), 1):
+        elements.append(",".join(map(str, (k, *(label[i + a, j + b] for a, b in around)))))
+    last, middle = 2 * size, label[0, 2 * size]
+    side, upper = ([label[i, j] for j in range(last + 1)] for i in (0, last))
+    elements += ["*NSET,NSET=SIDE", *map("{},".format, side), "*NSET,NSET=UPPER", *map("{},".format, upper)]
+    elements += ["*NSET,NSET=TOP", str(upper[0]), "*NSET,NSET=END", str(middle)]
+    loads = ["*BOUNDARY", "SIDE,2,2", "UPPER,1,1", "*STEP", "*STATIC", "*CLOAD"]
+    # The first half of the rays ends at the loaded side.
+    for i in range(0, size, 2):
+        share = THICKNESS * plate.traction * (places[i + 2, last, 1] - places[i, last, 1]) / 6
+        loads += [f"{label[i + k, last]},1,{number(part * share)}" for k, part in enumerate((1, 4, 1))]
+    section = ["*ORIENTATION,NAME=FIBRES", "1,0,0,0,1,0", "*SOLID SECTION,ELSET=E,MATERIAL=M,ORIENTATION=FIBRES"]
+    asked = "*NODE PRINT,NSET=END", "U", "*EL FILE,NSET=TOP,OUTPUT=2D", "S"
+    nodes = (places[place] for place in label)
+    return deck(nodes, elements, plate.material, [*section, number(THICKNESS)], loads, asked)
+
+
+def hole_error(path, plate):
+    """Of the way of the end, and of the stress at the top of the hole that it continues from inside the elements."""
+    [(moved, _)] = table(path)
+    stresses = path.with_suffix(".frd").read_text().split(" STRESS ")[1]
+    line = next(line for line in stresses.splitlines() if line.startswith(" -1"))
+    return abs(moved / plate.moved - 1), abs(float(line[13:25]) / plate.stress - 1)

@@ -9,7 +9,8 @@ from typing import Callable
 
 import pareto_ccx as ccx
 from measure import PERISTAT, ROOT, WORK, run
-from pareto_peristat import beam_case, plate_case
+from pareto_peristat import beam_case, hole_case, plate_case
+from pareto_problems import Hole
 
 BEAM = {  # bond law, horizon ratio, solver, most cells
     "`exact`, m = 1, strain": ("exact", 1, "strain", 10**6),
@@ -49,6 +50,10 @@ PLATE_SCRIPTS = {  # program, method, packages, sizes
     "peridynamics_volume": ("NumPy peridynamics", "m = 3, volume method", ["scipy"], (7, 21, 35, 63)),
 }
 PLATE_DECKS = {1: (2, 4, 8, 16, 32), 2: (1, 2, 4, 8)}
+HOLE = {"default": {}, "`local`": LOCAL, "`local`, 1 correction": {**LOCAL, "corrections": 1}}
+HOLE_ROWS = 20, 40, 80, 160
+HOLE_SIZES = 4, 8, 16, 32, 64
+HOLE_DECKS = 4, 8, 16, 32
 
 
 @dataclass
@@ -161,3 +166,24 @@ def plates(quick, lacks, has_ccx):
             error = lambda path, order=order, size=size: ccx.plate_error(path, order, size)
             found = deck(f"cps{order}_{size}", ccx.plate_deck(order, size), error)
             yield Job("CalculiX", f"CPS{4 * order}", f"{6 * size} x {2 * size}", 0, *found)
+
+
+def holes(name, quick, lacks, has_ccx):
+    few = lambda sizes: sizes[:3] if quick else sizes
+    value = lambda key: lambda output: last(output)[key]
+    seconds = lambda output: json.loads(output)[0]["time_s"]
+    errors = lambda output: tuple(check["error"] for check in json.loads(output)[0]["checks"])
+    model = "`bond_plane`" if name == "isotropic" else "`beam_bond_orthotropic`"
+    for method, rest in HOLE.items():
+        for rows in few(HOLE_ROWS):
+            path = hole_case(name, rest, rows)
+            yield Job("peristat", f"{model}, {method}", f"{rows * 5 // 2} x {rows}", 0, verify(path), errors, seconds)
+    for size in () if lacks(["skfem"]) else few(HOLE_SIZES):
+        command = script("pareto_hole.py", name, size)
+        both = lambda output: (last(output)["error"], last(output)["stress_error"])
+        yield Job("scikit-fem", "Q2", f"{size} x {size}", 0, command, both, value("inside_s"))
+    for size in few(HOLE_DECKS) if has_ccx and not lacks(["numpy"]) else ():
+        plate = Hole(name)
+        error = lambda path, plate=plate: ccx.hole_error(path, plate)
+        found = deck(f"hole_{name}_{size}", ccx.hole_deck(plate, size), error)
+        yield Job("CalculiX", "CPS8", f"{size} x {size}", 0, *found)

@@ -1,9 +1,9 @@
-"""Cases of the two problems for peristat, as a user would write them."""
+"""Cases of the problems for peristat, as a user would write them."""
 
 import json
 
 from measure import WORK
-from pareto_problems import LOAD, POISSON_RATIO, WIDTH, YOUNGS_MODULUS, Beam, Plate
+from pareto_problems import LOAD, POISSON_RATIO, WIDTH, YOUNGS_MODULUS, Beam, Hole, Plate
 
 
 # Displacements, and the stresses that are not zero.
@@ -77,3 +77,28 @@ def plate_case(name, options, ratio, solver, rest, rows):
     asked = written(f"plate_{label}", case | {"checks": [{"value": value}]})
     fields = [{"baseline": {"file": exact.name, "field": field, "tolerance": 1e9}} for field in FIELDS]
     return asked, written(f"plate_{label}_all", case | {"checks": fields}), largest
+
+
+def hole_case(name, rest, rows):
+    """Its checks compare both answers with what is known. `rest`: further keys of the case, such as its limit."""
+    plate = Hole(name)
+    (length, height), radius = plate.size, plate.radius
+    along, across, poisson, shear = plate.material
+    isotropic = {"bond_plane": {"youngs_modulus": along, "state": "plane_stress"}}
+    moduli = {"youngs_modulus_1": along, "youngs_modulus_2": across, "poisson_ratio_12": poisson, "shear_modulus_12": shear}
+    hole = {"circle": {"name": "hole", "centre": [0, 0], "radius": radius}}
+    value = lambda probe, expected: {"value": {"probe": probe, "expected": expected, "tolerance": 1e9, "source": "elements"}}
+    case = {
+        "title": "Quarter of a strip with a hole",
+        "model": isotropic if name == "isotropic" else {"beam_bond_orthotropic": {**moduli, "fibre_angle": 0}},
+        "body": {"rectangle": {"size": [length, height], "spacing": height / rows, "holes": [hole]}},
+        "symmetry": ["left", "bottom"],
+        "loads": [{"traction": {"edge": "right", "uniform": [plate.traction, 0]}}],
+        "probes": [
+            {"name": "end", "at": {"x": length, "y": 0}, "field": "ux"},
+            {"name": "top", "at": {"x": 0, "y": radius, "inward": [0, 1]}, "field": "stress_xx"},
+        ],
+        "checks": [value("end", plate.moved), value("top", plate.stress)],
+        **rest,
+    }
+    return written("_".join(map(str, ("hole", name, *rest.values(), rows))), case)

@@ -1,4 +1,4 @@
-"""The two problems of the comparison and their closed forms: what every program is asked, by whichever way.
+"""The problems of the comparison and what is known of them: what every program is asked, by whichever way.
 
 Nothing but arithmetic, so that numbers and arrays do alike and no program pays for an import that it does not need.
 """
@@ -72,3 +72,30 @@ class Plate:
         y = y - self.height / 2
         shear = self.force / (2 * self.second_moment) * ((self.height / 2) ** 2 - y * y)
         return (0.0 * y, shear) if right else (self.force * self.length * y / self.second_moment, -shear)
+
+
+class Hole:
+    """A quarter of a strip with a round hole, pulled at its end; symmetry on the two sides through the hole.
+
+    Asked are the stress at the top of the hole and how far the middle of the end moves, as elements of second order have
+    them in the limit (`pareto_hole.py reference`).
+    """
+
+    size, radius, traction = (200.0, 80.0), 20.0, 100.0  # length and half height, mm; mm; MPa
+
+    def __init__(self, name):
+        self.material, self.finer, self.moved, self.stress = HOLES[name]
+
+    @property
+    def stiffness(self):
+        """From strains to stresses of plane stress, MPa, fibres along x."""
+        along, across, poisson, shear = self.material
+        share = 1 / (1 - poisson**2 * across / along)
+        coupling = poisson * across * share
+        return (along * share, coupling, 0.0), (coupling, across * share, 0.0), (0.0, 0.0, shear)
+
+
+HOLES = {  # moduli along and across, Poisson's ratio, shear modulus, MPa; gradings of elements; mm and MPa of the answers
+    "isotropic": ((70000.0, 70000.0, 1 / 3, 26250.0), (0.0, 2.0), 0.30418786, 324.8238),
+    "laminate": ((140000.0, 10000.0, 0.25, 2930.0), (3.0, 4.0), 0.212543, 950.52),
+}
