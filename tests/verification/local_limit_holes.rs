@@ -171,12 +171,36 @@ fn the_stress_at_a_hole_beside_an_edge_has_an_error_that_falls_with_the_spacing(
     }
 }
 
+/// Ten points per radius and 0.4 radii between hole and edge leave a ring for six powers, which miss 2 to 5 %.
+#[test]
+fn a_narrow_ring_of_few_points_gives_way_to_polynomials() {
+    // Laurent series at the hole and at its images beyond the edges, of least squares of the tractions, have
+    // 732.24 at the top and -207.52 at the side.
+    let mut case = beside_an_edge(metal(), 14, 1.0, Some("local"));
+    case["body"]["rectangle"]["size"] = json!([40, 14]);
+    case["body"]["rectangle"]["holes"][0]["circle"]["radius"] = json!(10);
+    case["probes"] = json!([
+        { "name": "top", "at": { "x": 0, "y": 10, "inward": [0, 1] }, "field": "stress_xx" },
+        { "name": "side", "at": { "x": 10, "y": 0, "inward": [1, 0] }, "field": "stress_yy" }
+    ]);
+    let solved = solve(&case);
+    for (probe, expected) in solved.summary.probes.iter().zip([732.24, -207.52]) {
+        // Found: -5.2e-3 and -1e-4; by six powers -1.9e-2 and 3.2e-2.
+        assert!((probe.value / expected - 1.0).abs() < 8e-3, "{}: {}", probe.name, probe.value);
+    }
+}
+
 /// Stiff fibres have a layer at a hole that no polynomial sees.
 #[test]
 fn a_layer_at_a_hole_without_fields_of_its_own_is_refused() {
     let error = peristat::solve_text(&beside_an_edge(laminate(), 28, 2.0, Some("local")).to_string());
     let error = error.err().map(|error| error.to_string()).expect("a refusal");
     assert!(error.contains("`local` does not see the stress at the hole `hole`"), "{error}");
+    // Nobody asks for what is beside it.
+    let mut far = beside_an_edge(laminate(), 28, 2.0, Some("local"));
+    far["probes"][0] = json!({ "name": "end", "at": { "x": 199, "y": 1 }, "field": "ux" });
+    let warned = solve(&far).summary.warnings;
+    assert!(warned.iter().any(|fault| fault.message.contains("without fields around the hole it is off")));
     // Half the spacing leaves room for enough points: found -6.1e-4 of 1415.1.
     let solved = solve(&beside_an_edge(laminate(), 28, 1.0, Some("local")));
     let off = solved.summary.probes[0].value / 1415.1 - 1.0;

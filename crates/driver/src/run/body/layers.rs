@@ -15,6 +15,8 @@ use std::f64::consts::PI;
 
 /// Horizons that a layer should have at least; a warning comes below one.
 const ADVISED: f64 = 2.0;
+/// Spacings that a layer has that polynomials of the local limit see: as many as they are fitted over.
+const SEEN: f64 = 3.0;
 /// What acts across the fibres may be this many times what acts along them before the layer is that of another pull.
 const ACROSS: f64 = 2.0;
 
@@ -34,9 +36,12 @@ struct Layer {
 pub(super) struct Layers(Vec<Layer>);
 
 impl Layers {
-    /// Finds those of a body; without fibres it has none, and in the local limit it has no horizon.
-    pub(super) fn of(scene: &BodyScene) -> Self {
-        Self(if scene.limit.is_some() { Vec::new() } else { thinner(scene, scene.horizon()) })
+    /// Finds those of a body; without fibres it has none, and in the local limit none that the rings around holes tell.
+    pub(super) fn of(scene: &BodyScene, rings: &[HoleRing]) -> Self {
+        Self(match scene.limit {
+            Some(_) => untold(scene, rings, SEEN * scene.spacing()),
+            None => thinner(scene, scene.horizon()),
+        })
     }
 
     /// Adds a warning for every layer of a state that its pull makes, and forgets it.
@@ -70,15 +75,25 @@ fn thinner(scene: &BodyScene, length: f64) -> Vec<Layer> {
     layers.filter(|layer| layer.thickness < length).collect()
 }
 
-/// Looks whether the rings around holes tell every layer of a body in the local limit that is thinner than the reach of
-/// polynomials, m.
+/// The same without those that rings around holes tell.
+fn untold(scene: &BodyScene, rings: &[HoleRing], length: f64) -> Vec<Layer> {
+    let is_told = |layer: &Layer| rings.iter().any(|ring| ring.tells_layer(layer.hole));
+    thinner(scene, length).into_iter().filter(|layer| !is_told(layer)).collect()
+}
+
+/// Looks for probes beside holes with layers that nothing of the local limit sees.
 ///
 /// # Errors
-/// A layer at a hole with too few points around it for fields of its own.
-pub(super) fn check_told(scene: &BodyScene, rings: &[HoleRing], reach: f64) -> Result<(), RunError> {
-    let layers = thinner(scene, reach);
-    let is_told = |layer: &Layer| rings.iter().any(|ring| ring.tells_layer(layer.hole));
-    let Some(layer) = layers.iter().find(|layer| !is_told(layer)) else { return Ok(()) };
+/// A layer thinner than a spacing, at a hole with too few points around it for fields of its own.
+pub(super) fn check_seen(scene: &BodyScene, rings: &[HoleRing]) -> Result<(), RunError> {
+    let Some(outline) = scene.outline() else { return Ok(()) };
+    let places = || scene.probes.iter().filter_map(|probe| probe.position);
+    let is_asked = |layer: &Layer| {
+        let shape = &outline.holes()[layer.hole].shape;
+        places().any(|[x, y, _]| shape.distance([x, y]) < SEEN * scene.spacing())
+    };
+    let layers = untold(scene, rings, scene.spacing());
+    let Some(layer) = layers.iter().find(|layer| is_asked(layer)) else { return Ok(()) };
     let (hole, pull, thickness) = words(scene, layer);
     let mut faults = Faults::default();
     faults
@@ -130,11 +145,20 @@ fn rounded(length: f64) -> String {
 
 fn tell(scene: &BodyScene, layer: &Layer, warnings: &mut Faults) {
     let (hole, pull, thickness) = words(scene, layer);
+    let path = JsonPath::default().key("body");
+    if scene.limit.is_some() {
+        let text = format!(
+            "under a pull along {pull} the stress at {hole} falls within {thickness} of its border, and the spacing is {}: without fields around the hole it is off, by 1 and 3 % where it falls within two spacings and one, by any amount within less",
+            tidy(scene.spacing())
+        );
+        warnings.warning(path, text).hint("use a smaller spacing");
+        return;
+    }
     let horizon = tidy(scene.horizon());
     let spacing = rounded(layer.thickness / ADVISED * scene.spacing() / scene.horizon());
     warnings
         .warning(
-            JsonPath::default().key("body"),
+            path,
             format!(
                 "under a pull along {pull} the stress at {hole} falls within {thickness} of its border, and the horizon is {horizon}: at points its concentration comes out far too low"
             ),

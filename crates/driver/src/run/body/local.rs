@@ -60,7 +60,7 @@ impl<'a> Local<'a> {
         let Some((limit, model, outline)) = parts(scene) else { return Ok(None) };
         let ratio = scene.material().about().horizon_ratio;
         let rings = HoleRing::of(scene);
-        layers::check_told(scene, &rings, FITTING.reach * scene.spacing())?;
+        layers::check_seen(scene, &rings)?;
         let holes: Vec<HoleZone> = rings.iter().map(HoleRing::zone).collect();
         let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes, singular: &limit.singular };
         let places = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();

@@ -100,8 +100,8 @@ fn run_body<const D: usize>(
     let crew = ranks.map(|ranks| Crew::new(problem, &system, ranks)).transpose()?;
     let found = intensity::of_states(scene, options)?;
     let tips = tips::Tips::of(scene);
-    let mut layers = layers::Layers::of(scene);
     let rings = HoleRing::of(scene);
+    let mut layers = layers::Layers::of(scene, &rings);
     let mut warnings = Faults::default();
     hole_fits::check_sharp(scene, &rings, &mut warnings);
     let mut take = |solved: SolvedState| {
