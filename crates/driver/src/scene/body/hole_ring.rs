@@ -20,10 +20,11 @@ const NARROW: f64 = 1.3;
 /// Highest powers of the fields: the first for which there are enough points. Near an edge high ones are needed: at a hole one
 /// radius from it, six powers leave 0.7 % of the stress, however fine the lattice, ten 1e-4 and fourteen 5e-6.
 const ORDERS: [usize; 7] = [14, 12, 10, 8, 6, 4, 3];
-/// The highest power that is told by displacements that the horizon blurs.
+/// Displacements that the horizon blurs determine powers up to this one.
 const HIGHEST_BLURRED: usize = 10;
-/// The highest power that few points tell, and equations per field that these and those of higher powers need.
+/// A few points determine powers up to this one.
 const MODEST: usize = 6;
+/// Equations per field that powers up to it and higher ones need.
 const EQUATIONS: [usize; 2] = [3, 12];
 /// More points than this add nothing, images among them.
 const MOST_POINTS: usize = 4000;
