@@ -173,6 +173,13 @@ impl Fits {
         Some(fitted)
     }
 
+    /// What a fit misses in a state, as [`LocalFit::misfit`].
+    pub(super) fn misfit(&self, at: &Fitted, grid: &Grid, border: &Border, state: State) -> f64 {
+        let known = at.around.known(self.reach, border);
+        let values = at.around.values(border, state);
+        self.known[at.fit as usize].misfit(&self.basis, self.radius(grid), &known, &values)
+    }
+
     /// Coefficients of the fields of a fit in a state.
     pub(super) fn coefficients(&self, at: &Fitted, border: &Border, state: State) -> DVector<f64> {
         self.known[at.fit as usize].coefficients(&at.around.values(border, state))

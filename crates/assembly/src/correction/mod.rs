@@ -22,7 +22,7 @@ pub use holes::HoleZone;
 
 use crate::body::Outline;
 use crate::model::plane::PlaneModel;
-use crate::recovery::hole::Field;
+use crate::recovery::hole::{Field, HoleFit};
 use border::Border;
 use fits::{Fits, Fitted};
 use grid::Grid;
@@ -157,9 +157,7 @@ impl Correction {
         let mut found = Vec::new();
         self.without_weight(state, |inner| {
             let of = |(at, position): &(Fitted, [f64; 2])| {
-                if let Some(fit) =
-                    HoleZone::at(&self.holes, *position).and_then(|k| state.holes.get(k as usize))
-                {
+                if let Some(fit) = self.hole(*position, state) {
                     return fit.at(*position);
                 }
                 let mut field = self.field(&reading.fits, at, inner);
@@ -169,6 +167,24 @@ impl Correction {
             found = reading.at.par_iter().with_min_len(64).map(of).collect();
         });
         found
+    }
+
+    /// What the fits at the positions of a reading miss, relative to the displacements that strain the body there.
+    pub fn misfits(&self, reading: &Reading, state: State) -> Vec<f64> {
+        let mut found = Vec::new();
+        self.without_weight(state, |inner| {
+            let of = |(at, position): &(Fitted, [f64; 2])| match self.hole(*position, state) {
+                Some(fit) => fit.residual(),
+                None => reading.fits.misfit(at, &self.grid, &self.border, inner),
+            };
+            found = reading.at.par_iter().with_min_len(64).map(of).collect();
+        });
+        found
+    }
+
+    /// The fields of a hole that a position has.
+    fn hole<'a>(&self, position: [f64; 2], state: State<'a>) -> Option<&'a HoleFit> {
+        HoleZone::at(&self.holes, position).and_then(|k| state.holes.get(k as usize))
     }
 
     /// The polynomials of a fit in its centre.

@@ -41,7 +41,8 @@ pub struct ProbeResult {
     /// Volume that a mean or an integral is taken over, of beams a length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extent: Option<f64>,
-    /// On a hole, what of the displacements around it the fields miss that give the value, as a share.
+    /// Of a stress on a hole, and in the local limit anywhere, what of the displacements around it the fields miss that give the
+    /// value, as a share.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub misfit: Option<f64>,
 }

@@ -5,6 +5,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// Combinations of fields that the equations see less, relative to the one that they see best, are left out.
 const TOLD: f64 = 1e-8;
+/// Displacements whose strained part is smaller, relative to them, are those of a rigid body.
+const ROUNDING: f64 = 1e-12;
 
 /// Something that is known at a place, relative to the centre of a fit over its radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +55,29 @@ impl LocalFit {
     /// These are not as many numbers as there are equations.
     pub fn coefficients(&self, known: &[f64]) -> DVector<f64> {
         &self.solution * DVector::from_column_slice(known)
+    }
+
+    /// What of some numbers the fields miss: its root of squares over that of the displacements without their rigid motion, 0 where
+    /// nothing is strained. All count as in the fit.
+    pub fn misfit(&self, basis: &Basis, radius: f64, known: &[Known], values: &[f64]) -> f64 {
+        let (matrix, weights) = equations(basis, radius, known);
+        let coefficients = self.coefficients(values);
+        let missed = DVector::from_column_slice(values).component_mul(&weights) - matrix * &coefficients;
+        let centre = [0.0; 2];
+        let shift = basis.displacements(centre).tr_mul(&coefficients);
+        let turn = basis.rotations(centre).dot(&coefficients);
+        let (mut moved, mut strained) = (0.0, 0.0);
+        for ((one, values), weights) in
+            known.iter().zip(values.chunks_exact(2)).zip(weights.as_slice().chunks_exact(2))
+        {
+            let Known::Displacement([x, y]) = *one else { continue };
+            let rigid = [shift[0] - turn * y, shift[1] + turn * x];
+            for c in 0..2 {
+                moved += (weights[c] * values[c]).powi(2);
+                strained += (weights[c] * (values[c] - rigid[c])).powi(2);
+            }
+        }
+        if strained > ROUNDING * ROUNDING * moved { missed.norm() / strained.sqrt() } else { 0.0 }
     }
 }
 

@@ -128,31 +128,61 @@ fn fits_of_few_points_meet_them() {
     }
 }
 
-/// A field of φ = e^z, ψ = 0 by Kolosov: what the fit misses falls with the fifth power of its radius.
+/// `2G u = κ φ − z conj(φ')` of φ = e^z by Kolosov, which no polynomial is.
+fn exponential(e: f64, nu: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    let (kappa, twice_shear) = ((3.0 - nu) / (1.0 + nu), e / (1.0 + nu));
+    let (c, s, size) = (y.cos(), y.sin(), x.exp());
+    let conj = [size * c, -size * s];
+    let u = [kappa * size * c - (x * conj[0] - y * conj[1]), kappa * size * s - (x * conj[1] + y * conj[0])];
+    u.map(|u| u / twice_shear)
+}
+
+/// The fit of that field at points around a place, with the places and the values it was made of.
+fn of_exponential(basis: &Basis, spacing: f64) -> (LocalFit, Vec<Known>, Vec<f64>) {
+    let all = points(3.2, -9.0);
+    let known: Vec<Known> = all.iter().map(|at| Known::Displacement(*at)).collect();
+    let fit = LocalFit::new(basis, 3.2 * spacing, &known).unwrap();
+    let values = all.iter().flat_map(|at| exponential(1.0, 0.3, at.map(|x| 0.2 + 3.2 * spacing * x)));
+    (fit, known, values.collect())
+}
+
 #[test]
 fn fits_are_of_the_fifth_order() {
-    let (e, nu) = (1.0_f64, 0.3_f64);
-    let (kappa, twice_shear) = ((3.0 - nu) / (1.0 + nu), e / (1.0 + nu));
-    let basis = Basis::new(&isotropic(e, nu), 4);
-    let exact = |[x, y]: [f64; 2]| {
-        // 2G u = κ φ − z conj(φ').
-        let (c, s, size) = (y.cos(), y.sin(), x.exp());
-        let conj = [size * c, -size * s];
-        let u =
-            [kappa * size * c - (x * conj[0] - y * conj[1]), kappa * size * s - (x * conj[1] + y * conj[0])];
-        u.map(|u| u / twice_shear)
-    };
+    let basis = Basis::new(&isotropic(1.0, 0.3), 4);
     let misses = |spacing: f64| {
-        let all = points(3.2, -9.0);
-        let known: Vec<Known> = all.iter().map(|at| Known::Displacement(*at)).collect();
-        let fit = LocalFit::new(&basis, 3.2 * spacing, &known).unwrap();
-        let place = |at: [f64; 2]| at.map(|x| 0.2 + 3.2 * spacing * x);
-        let values: Vec<f64> = all.iter().flat_map(|at| exact(place(*at))).collect();
+        let (fit, _, values) = of_exponential(&basis, spacing);
         let found = basis.displacements([0.1, 0.2]).tr_mul(&fit.coefficients(&values));
-        let expected = exact(place([0.1, 0.2]));
+        let expected = exponential(1.0, 0.3, [0.1, 0.2].map(|x| 0.2 + 3.2 * spacing * x));
         (found[0] - expected[0]).hypot(found[1] - expected[1])
     };
     let order = (misses(0.08 * PI) / misses(0.04 * PI)).log2();
     // Found: 5.0.
     assert!(order > 4.7, "{order}");
+}
+
+/// Relative to displacements that are linear in the radius it is the fourth; a rigid motion counts for nothing.
+#[test]
+fn misfits_are_of_the_fourth_order_and_of_what_strains() {
+    let basis = Basis::new(&isotropic(1.0, 0.3), 4);
+    let misfit = |spacing: f64, [shift, turn]: [f64; 2]| {
+        let (fit, known, mut values) = of_exponential(&basis, spacing);
+        for (one, u) in known.iter().zip(values.chunks_exact_mut(2)) {
+            let Known::Displacement([x, y]) = one else { continue };
+            u[0] += shift - turn * y;
+            u[1] += turn * x;
+        }
+        fit.misfit(&basis, 3.2 * spacing, &known, &values)
+    };
+    let [coarse, fine] = [0.04, 0.02].map(|spacing| misfit(spacing * PI, [0.0; 2]));
+    // Found: 2.0e-4 and an order of 3.9.
+    assert!((coarse / fine).log2() > 3.7 && (1e-4..4e-4).contains(&coarse), "{coarse} {fine}");
+    let moved = misfit(0.04 * PI, [30.0, -5.0]);
+    assert!((moved / coarse - 1.0).abs() < 1e-9, "{moved} {coarse}");
+    // Of a rigid motion alone rounding is left, which is no misfit.
+    let (fit, known, _) = of_exponential(&basis, 0.1);
+    let rigid = known.iter().flat_map(|one| match one {
+        Known::Displacement([x, y]) => [0.1 - 0.3 * y, 0.7 + 0.3 * x],
+        Known::Border { .. } => unreachable!(),
+    });
+    assert_eq!(fit.misfit(&basis, 0.3, &known, &rigid.collect::<Vec<f64>>()), 0.0);
 }

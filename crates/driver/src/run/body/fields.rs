@@ -3,6 +3,7 @@
 use super::eigenstrain::EigenStress;
 use super::modes;
 use super::of_stress::{Medium, component, of_stress};
+use super::probed::Probed;
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Corrections, Resultants, SolvedState, StateRecord};
@@ -10,7 +11,7 @@ use crate::scene::Resultant;
 use crate::scene::body::{BodyScene, Eigenstrain, Has, HoleRing, Intensity, Says, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
-use peristat_assembly::recovery::hole::{Field, HoleFit};
+use peristat_assembly::recovery::hole::HoleFit;
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -121,7 +122,7 @@ pub struct BodyResult {
     /// How its displacements were corrected.
     pub corrections: Option<Corrections>,
     /// Displacement and stress where every probe is, of displacements that were corrected.
-    pub(super) probed: Vec<Option<Field>>,
+    pub(super) probed: Vec<Option<Probed>>,
     /// Neighbours on the lattice of the model whose bond has broken.
     pub(super) parted: Vec<[usize; 2]>,
     /// Number of points of the model.

@@ -5,10 +5,10 @@
 
 use super::fields::BodyResult;
 use super::layers;
-use super::of_stress::{Medium, of_stress};
+use super::probed::Probed;
 use crate::diagnostic::{Faults, root};
 use crate::run::{Corrections, RunError, scan};
-use crate::scene::body::{BodyProbe, BodyScene, BodyState, HoleRing, LocalLimit, Quantity};
+use crate::scene::body::{BodyScene, BodyState, HoleRing, LocalLimit};
 use nalgebra::{DMatrix, DVector};
 use peristat_assembly::body::Outline;
 use peristat_assembly::correction::{Bounds, Correction, Fitting, HoleZone, Reading, State};
@@ -32,10 +32,12 @@ pub(super) struct Local<'a> {
     correction: Correction,
     /// Around the holes that have fields of their own.
     rings: Vec<HoleRing>,
-    /// Places of the probes that have one, then, where stresses are recovered or points turn, the points of the body.
+    /// Places of the probes that have one, and how they are read.
     places: Vec<Option<[f64; 2]>>,
+    at_places: Reading,
+    /// Where stresses are recovered or points turn, the points of the body.
     points: Vec<usize>,
-    read: Reading,
+    at_points: Reading,
 }
 
 /// What is known of a state beside its displacements.
@@ -63,18 +65,19 @@ impl<'a> Local<'a> {
         layers::check_seen(scene, &rings)?;
         let holes: Vec<HoleZone> = rings.iter().map(HoleRing::zone).collect();
         let bounds = Bounds { outline, pieces: &limit.pieces, holes: &holes, singular: &limit.singular };
-        let places = scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();
+        let places: Vec<Option<[f64; 2]>> =
+            scene.probes.iter().map(|probe| probe.position.map(|[x, y, _]| [x, y])).collect();
         let reads_points = recover || scene.model.turning().is_some();
         let points: Vec<usize> = if reads_points { scene.real_points().collect() } else { Vec::new() };
         let made = Correction::new(model, bounds, ratio, FITTING).and_then(|correction| {
-            let places: &Vec<Option<[f64; 2]>> = &places;
+            let at_places = correction.reading(places.iter().flatten().copied().collect())?;
             let of_points = points.iter().map(|point| scene.model.place(*point));
-            let read = correction.reading(places.iter().flatten().copied().chain(of_points).collect())?;
-            Some((correction, read))
+            let at_points = correction.reading(of_points.collect())?;
+            Some((correction, at_places, at_points))
         });
         match made {
-            Some((correction, read)) => {
-                Ok(Some(Self { scene, limit, correction, rings, places, points, read }))
+            Some((correction, at_places, at_points)) => {
+                Ok(Some(Self { scene, limit, correction, rings, places, at_places, points, at_points }))
             }
             None => {
                 let mut faults = Faults::default();
@@ -140,18 +143,16 @@ impl<'a> Local<'a> {
         let (scene, n) = (self.scene, self.scene.model.points());
         let Some(around) = self.around(&scene.states[result.record.index], &result.record.u) else { return };
         let now = around.state(&result.record.u, n);
-        let found = self.correction.read(&self.read, now);
-        let mut rest = found.iter();
-        result.probed = self.places.iter().map(|at| at.and_then(|_| rest.next().copied())).collect();
-        let of_points = rest.as_slice();
+        result.probed = self.probed(&around, now);
+        let of_points = self.correction.read(&self.at_points, now);
         if let Some((component, scale)) = scene.model.turning() {
-            for (point, field) in self.points.iter().zip(of_points) {
+            for (point, field) in self.points.iter().zip(&of_points) {
                 result.record.u[component * n + point] = scale * field.rotation;
             }
             fill_images(scene, &mut result.record.u);
         }
         let Some(recovered) = &mut result.recovered else { return };
-        for (&point, &Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(of_points) {
+        for (&point, &Field { stress: [xx, yy, xy], .. }) in self.points.iter().zip(&of_points) {
             (0..3).for_each(|k| recovered.stress[k][point] = [xx, yy, xy][k]);
             let stress = [xx, yy, xy, 0.0, 0.0, 0.0];
             let across = scene.model.across_of(stress);
@@ -162,6 +163,22 @@ impl<'a> Local<'a> {
             }
         }
         recovered.fill_images(scene);
+    }
+
+    /// What is found where probes are.
+    fn probed(&self, around: &Around, now: State) -> Vec<Option<Probed>> {
+        let fields = self.correction.read(&self.at_places, now);
+        let misfits = self.correction.misfits(&self.at_places, now);
+        let samples = self.correction.samples().iter().zip(&around.border);
+        let tractions = samples
+            .map(|(sample, known)| {
+                let held = self.limit.pieces[sample.piece].held;
+                let [x, y] = [0, 1].map(|c| if held[c] { 0.0 } else { known[c] });
+                x.hypot(y)
+            })
+            .fold(0.0, f64::max);
+        let mut found = Probed::all(fields, &misfits, tractions).into_iter();
+        self.places.iter().map(|at| at.and_then(|_| found.next())).collect()
     }
 
     /// Moves the body as a rigid one until its points are where they are held.
@@ -197,17 +214,6 @@ impl<'a> Local<'a> {
             u[component * n..(component + 1) * n].iter_mut().for_each(|phi| *phi += turning * turn);
         }
     }
-}
-
-/// What a probe finds at its place of corrected displacements, by its number.
-pub(super) fn read(scene: &BodyScene, result: &BodyResult, (k, probe): (usize, &BodyProbe)) -> Option<f64> {
-    let Quantity::Field { field, .. } = &probe.quantity else { return None };
-    let Field { displacement, rotation, stress } = (*result.probed.get(k)?)?;
-    if let Some((component, about)) = scene.model.component(field.name()) {
-        return if about.is_rotation { Some(rotation) } else { displacement.get(component).copied() };
-    }
-    let stress = [stress[0], stress[1], stress[2], 0.0, 0.0, 0.0];
-    of_stress(field.about().origin, Medium::of(scene), (0, stress), scene.model.across_of(stress))
 }
 
 /// The limit with the body that it is of.

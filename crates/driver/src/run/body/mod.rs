@@ -18,6 +18,7 @@ mod local;
 mod modes;
 mod of_stress;
 mod path;
+mod probed;
 mod problem;
 mod ranks;
 mod reaction;
@@ -104,12 +105,14 @@ fn run_body<const D: usize>(
     let mut layers = layers::Layers::of(scene, &rings);
     let mut warnings = Faults::default();
     hole_fits::check_sharp(scene, &rings, &mut warnings);
+    let mut doubts = probed::Doubts::of(scene);
     let mut take = |solved: SolvedState| {
         tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
         layers.check(scene, &solved.solution.u, &mut warnings);
         let mut result = fields::collect(scene, solved, (&found.values, &rings), recover);
         if let Some(local) = &problem.local {
             local.complete(&mut result);
+            doubts.see(&result);
         }
         hole_fits::check(&result, &mut warnings);
         sink(result)
@@ -118,6 +121,7 @@ fn run_body<const D: usize>(
     let mut report = solve_states_by(shared, problem, (&system, sizes), &mut take)?;
     // What is stored per bond: triangles and springs are no bonds.
     report.counters.stored_bond_factors = system.terms()[0].stored_factors();
+    doubts.warn(scene, &rings, &mut warnings);
     report.skipped = skipped::skipped(scene, &report, recover);
     report.converged &= found.converged;
     report.warnings = warnings;

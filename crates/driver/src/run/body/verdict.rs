@@ -1,6 +1,6 @@
 //! Probes and checks on the result of a body.
 
-use super::{BodyResult, hole_fits, local, reduced};
+use super::{BodyResult, hole_fits, probed, reduced};
 use crate::case::{FieldName, Origin, TipQuantity};
 use crate::run::verdict::{self, CheckResult, ProbeResult};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
@@ -47,7 +47,7 @@ pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult>
 /// What a probe finds.
 struct Reading {
     value: f64,
-    /// On a hole, the misfit of the fields around it.
+    /// On a hole, and in the local limit anywhere, the misfit of the fields around it.
     misfit: Option<f64>,
     /// Where it is, unless that is a region or a crack.
     position: Option<[f64; 3]>,
@@ -60,8 +60,8 @@ fn read(scene: &BodyScene, result: &BodyResult, (k, probe): (usize, &BodyProbe))
     if let Some((value, misfit)) = hole_fits::read(scene, result, probe) {
         return Some(reading(value, Some(misfit)));
     }
-    if let Some(value) = local::read(scene, result, (k, probe)) {
-        return Some(reading(value, None));
+    if let Some((value, misfit)) = probed::read(scene, result, (k, probe)) {
+        return Some(reading(value, misfit));
     }
     let Quantity::Reduced { field, of, points } = &probe.quantity else {
         return Some(reading(value(scene, result, &probe.quantity)?, None));
