@@ -34,12 +34,19 @@ CRACKED = [
     ("edge crack: K", "plate/edge_crack", ["K"], []),
     ("centre crack: K of the whole plate", "plate/centre_crack", ["K"], []),
 ]
+# Of the ratio of the bonds, whose answers are known.
+FAMILIES_OF_BONDS = ['model={"state_plane":{"youngs_modulus":70000,"poisson_ratio":0.3333333333333333,"state":"plane_stress"}}']
 FAMILIES = [
+    ("clamped cantilever, 20 rows: deflection", "plate/cantilever", ["tip"], [*FAMILIES_OF_BONDS, "body.rectangle.spacing=2"]),
+    ("clamped cantilever, 40 rows: deflection", "plate/cantilever", ["tip"], FAMILIES_OF_BONDS),
     ("ring under pressure: widening", "plate/state_ring", ["widening inside"], []),
     ("ring under pressure: hoop stress", "plate/state_ring", ["hoop stress"], []),
     ("ring of rubber: widening", "plate/state_incompressible", ["widening inside"], []),
-    ("strip in bending, edges between cells: deflection", "plate/state_bending", ["end deflection"], []),
-    ("strip in bending, edges between cells: rise of the sides", "plate/state_bending", ["rise of the upper edge"], []),
+    ("strip in bending, ν = 0.45: deflection", "plate/state_bending", ["end deflection"], []),
+    ("strip in bending, ν = 0.45: rise of the sides", "plate/state_bending", ["rise of the upper edge"], []),
+    ("strip in bending, ν = 0: deflection", "plate/state_bending", ["end deflection"], ["model.state_plane.poisson_ratio=0"]),
+    ("strip in bending, ν = −0.3: deflection", "plate/state_bending", ["end deflection"], ["model.state_plane.poisson_ratio=-0.3"]),
+    ("disc of glass in a resin: stress along the pull", "plate/state_inclusion", ["stress of the fibre"], []),
 ]
 
 
