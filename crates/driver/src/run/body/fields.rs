@@ -18,8 +18,7 @@ use std::borrow::Cow;
 /// Points whose values one thread makes at least.
 const FEW: usize = 4096;
 
-/// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
-/// points, shears with their signs.
+/// Fields recovered from the bonds, by points of the model; images have those of their points, shears with their signs.
 #[derive(Clone, Debug)]
 pub struct Recovered {
     /// The components that the model names, `[σ_xx, σ_yy, σ_xy]` in the plane.
