@@ -173,11 +173,11 @@ impl Fits {
         Some(fitted)
     }
 
-    /// What a fit misses in a state, as [`LocalFit::misfit`].
-    pub(super) fn misfit(&self, at: &Fitted, grid: &Grid, border: &Border, state: State) -> f64 {
+    /// What a fit misses of a state, and what strains the body around it, as [`LocalFit::missed`].
+    pub(super) fn missed(&self, at: &Fitted, grid: &Grid, border: &Border, state: State) -> [f64; 2] {
         let known = at.around.known(self.reach, border);
         let values = at.around.values(border, state);
-        self.known[at.fit as usize].misfit(&self.basis, self.radius(grid), &known, &values)
+        self.known[at.fit as usize].missed(&self.basis, self.radius(grid), &known, &values)
     }
 
     /// Coefficients of the fields of a fit in a state.

@@ -169,13 +169,16 @@ impl Correction {
         found
     }
 
-    /// What the fits at the positions of a reading miss, relative to the displacements that strain the body there.
-    pub fn misfits(&self, reading: &Reading, state: State) -> Vec<f64> {
+    /// What the polynomials at the positions of a reading miss of the displacements, relative to those that strain the body there; none
+    /// where the fields of a hole stand for them.
+    pub fn misfits(&self, reading: &Reading, state: State) -> Vec<Option<f64>> {
         let mut found = Vec::new();
         self.without_weight(state, |inner| {
-            let of = |(at, position): &(Fitted, [f64; 2])| match self.hole(*position, state) {
-                Some(fit) => fit.residual(),
-                None => reading.fits.misfit(at, &self.grid, &self.border, inner),
+            let missed = |at: &Fitted, state| reading.fits.missed(at, &self.grid, &self.border, state);
+            let of = |(at, position): &(Fitted, [f64; 2])| {
+                let ([missed, _], [_, strained]) = (missed(at, inner), missed(at, state));
+                let is_told = self.hole(*position, state).is_some();
+                (!is_told).then_some(if strained > 0.0 { missed / strained } else { 0.0 })
             };
             found = reading.at.par_iter().with_min_len(64).map(of).collect();
         });

@@ -57,9 +57,9 @@ impl LocalFit {
         &self.solution * DVector::from_column_slice(known)
     }
 
-    /// What of some numbers the fields miss: its root of squares over that of the displacements without their rigid motion, 0 where
-    /// nothing is strained. All count as in the fit.
-    pub fn misfit(&self, basis: &Basis, radius: f64, known: &[Known], values: &[f64]) -> f64 {
+    /// What the fields miss of some numbers, and the displacements among them less their rigid motion: the norms of both, in which
+    /// all count as in the fit; the second is 0 where it is rounding.
+    pub fn missed(&self, basis: &Basis, radius: f64, known: &[Known], values: &[f64]) -> [f64; 2] {
         let (matrix, weights) = equations(basis, radius, known);
         let coefficients = self.coefficients(values);
         let missed = DVector::from_column_slice(values).component_mul(&weights) - matrix * &coefficients;
@@ -77,7 +77,8 @@ impl LocalFit {
                 strained += (weights[c] * (values[c] - rigid[c])).powi(2);
             }
         }
-        if strained > ROUNDING * ROUNDING * moved { missed.norm() / strained.sqrt() } else { 0.0 }
+        let is_rounding = strained <= ROUNDING * ROUNDING * moved;
+        [missed.norm(), if is_rounding { 0.0 } else { strained.sqrt() }]
     }
 }
 

@@ -37,11 +37,11 @@ impl Keys for StatePlane {
             Model::StatePlane(Self { edges: Some(of.edges), ..keys.clone() })
         };
         let ends_where_cut = self.edges.is_none();
-        let is_even = matches!(asked.body, BodyKind::Rectangle { has_holes: false, .. });
+        let is_rectangle = matches!(asked.body, BodyKind::Rectangle { has_holes: false, .. });
         // Weights of what is left of a family want more neighbours, and so do ghosts of a border that cuts cells.
         let usual_horizon_ratio = match parameters.edges {
             StateEdges::Border => asked.usual_horizon_ratio(),
-            StateEdges::Ghosts if is_even => asked.usual_horizon_ratio(),
+            StateEdges::Ghosts if is_rectangle => asked.usual_horizon_ratio(),
             _ => USUAL_HORIZON_RATIO,
         };
         Some(Box::new(Families { name: NAME, keys, parameters, usual_horizon_ratio, ends_where_cut, filled }))

@@ -18,7 +18,8 @@ const BESIDE: f64 = 0.05;
 
 /// Adds a warning for every hole on which a probe asks for a stress that neither fields around it nor the points beside it can tell.
 pub(super) fn check_sharp(scene: &BodyScene, rings: &[HoleRing], warnings: &mut Faults) {
-    let Some(outline) = scene.outline() else { return };
+    // Polynomials of the local limit know the tractions on the hole, and what they miss.
+    let Some(outline) = scene.outline().filter(|_| scene.limit.is_none()) else { return };
     let spacing = scene.body().spacing();
     let asked =
         |probe: &BodyProbe| Some([probe.position?[0], probe.position?[1]]).filter(|_| probe.is_recovered());

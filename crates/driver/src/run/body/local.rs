@@ -170,14 +170,14 @@ impl<'a> Local<'a> {
         let fields = self.correction.read(&self.at_places, now);
         let misfits = self.correction.misfits(&self.at_places, now);
         let samples = self.correction.samples().iter().zip(&around.border);
-        let tractions = samples
+        let largest = samples
             .map(|(sample, known)| {
                 let held = self.limit.pieces[sample.piece].held;
                 let [x, y] = [0, 1].map(|c| if held[c] { 0.0 } else { known[c] });
                 x.hypot(y)
             })
             .fold(0.0, f64::max);
-        let mut found = Probed::all(fields, &misfits, tractions).into_iter();
+        let mut found = Probed::all(fields, &misfits, largest).into_iter();
         self.places.iter().map(|at| at.and_then(|_| found.next())).collect()
     }
 

@@ -121,7 +121,7 @@ fn run_body<const D: usize>(
     let mut report = solve_states_by(shared, problem, (&system, sizes), &mut take)?;
     // What is stored per bond: triangles and springs are no bonds.
     report.counters.stored_bond_factors = system.terms()[0].stored_factors();
-    doubts.warn(scene, &rings, &mut warnings);
+    doubts.warn(scene, &mut warnings);
     report.skipped = skipped::skipped(scene, &report, recover);
     report.converged &= found.converged;
     report.warnings = warnings;

@@ -6,30 +6,30 @@
 use super::BodyResult;
 use super::of_stress::{Medium, of_stress};
 use crate::diagnostic::{Faults, JsonPath, tidy};
-use crate::scene::body::{BodyProbe, BodyScene, HoleRing, Quantity};
+use crate::scene::body::{BodyProbe, BodyScene, Quantity};
 use peristat_assembly::recovery::hole::Field;
 
 /// A fit that misses a larger part of the displacements gives a warning.
 const LARGE: f64 = 0.03;
-/// Stresses below this part of the largest are small: what a fit misses there matters to nobody.
+/// Stresses below this part of the largest are small: a misfit there gives no warning.
 const SMALL: f64 = 0.1;
 
 /// What is found where a probe is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probed {
     field: Field,
-    /// What the fit there misses, relative to the displacements that strain the body.
-    misfit: f64,
+    /// What polynomials miss there, relative to the displacements that strain the body; none where the fields of a hole are.
+    misfit: Option<f64>,
     /// Whether the stress is small beside the largest that acts on the body or that a probe finds.
     is_small: bool,
 }
 
 impl Probed {
     /// What fits say, what they miss, and the largest traction on the body, Pa.
-    pub(super) fn all(fields: Vec<Field>, misfits: &[f64], traction: f64) -> Vec<Self> {
+    pub(super) fn all(fields: Vec<Field>, misfits: &[Option<f64>], traction: f64) -> Vec<Self> {
         let norm = |[xx, yy, xy]: [f64; 3]| (xx * xx + yy * yy + 2.0 * xy * xy).sqrt();
         let largest = fields.iter().map(|field| norm(field.stress)).fold(traction, f64::max);
-        let of = |(field, &misfit): (Field, &f64)| {
+        let of = |(field, &misfit): (Field, &Option<f64>)| {
             let is_small = norm(field.stress) <= SMALL * largest;
             Self { field, misfit, is_small }
         };
@@ -51,10 +51,10 @@ pub(super) fn read(
     }
     let stress = [stress[0], stress[1], stress[2], 0.0, 0.0, 0.0];
     let across = scene.model.across_of(stress);
-    Some((of_stress(field.about().origin, Medium::of(scene), (0, stress), across)?, Some(misfit)))
+    Some((of_stress(field.about().origin, Medium::of(scene), (0, stress), across)?, misfit))
 }
 
-/// What the fits of all states miss at most, by probe, where their stress is not small.
+/// What polynomials miss at most of all states, by probe, where the stress is not small.
 #[derive(Debug)]
 pub(super) struct Doubts(Vec<f64>);
 
@@ -66,18 +66,15 @@ impl Doubts {
     /// Takes a state in.
     pub(super) fn see(&mut self, result: &BodyResult) {
         for (worst, probed) in self.0.iter_mut().zip(&result.probed) {
-            let misfit = probed.filter(|probed| !probed.is_small).map(|probed| probed.misfit);
+            let misfit = probed.filter(|probed| !probed.is_small).and_then(|probed| probed.misfit);
             *worst = misfit.unwrap_or(0.0).max(*worst);
         }
     }
 
-    /// Adds a warning for every probe of a stress that polynomials cannot tell; fields of holes are judged by these.
-    pub(super) fn warn(&self, scene: &BodyScene, rings: &[HoleRing], warnings: &mut Faults) {
-        let told = |probe: &BodyProbe| {
-            probe.position.is_some_and(|[x, y, _]| rings.iter().any(|ring| ring.holds([x, y])))
-        };
+    /// Adds a warning for every probe of a stress that polynomials cannot tell.
+    pub(super) fn warn(&self, scene: &BodyScene, warnings: &mut Faults) {
         for (probe, misfit) in scene.probes.iter().zip(&self.0) {
-            if *misfit <= LARGE || !probe.is_recovered() || told(probe) {
+            if *misfit <= LARGE || !probe.is_recovered() {
                 continue;
             }
             let percent = tidy((1000.0 * misfit).round() / 10.0);
