@@ -108,6 +108,7 @@ fn a_quarter_of_families_with_mirrors_is_the_whole() {
 fn families_like_the_base_change_no_bit() {
     let mut case = disc(&strain(), true, [1.0, 0.3]);
     case["loads"] = json!([]);
+    case["horizon_ratio"] = json!(3);
     case["supports"] = json!([{ "at": { "region": "right" }, "ux": 1, "uy": 0.5 }]);
     let own = solve(&case);
     case.as_object_mut().unwrap().remove("materials");
@@ -124,8 +125,8 @@ fn coarser_families_precondition_mixtures() {
         case["solver"] = json!(solver);
         solve(&case).report.solver
     };
-    // 108 at 1e4, over three spacings 67.
-    for (modulus, most) in [(10.0, 20), (100.0, 25), (0.01, 25), (1e4, 140)] {
+    // 67 at 1e4.
+    for (modulus, most) in [(10.0, 20), (100.0, 25), (0.01, 25), (1e4, 90)] {
         let solver = square(modulus, "multigrid");
         assert!(solver.method == "multigrid" && solver.iterations[0] <= most, "{modulus}: {solver:?}");
     }

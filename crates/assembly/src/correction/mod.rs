@@ -170,15 +170,17 @@ impl Correction {
     }
 
     /// What the polynomials at the positions of a reading miss of the displacements, relative to those that strain the body there; none
-    /// where the fields of a hole stand for them.
+    /// where the fields of a hole stand for them, and beside infinite stresses, where they see no more than determines them.
     pub fn misfits(&self, reading: &Reading, state: State) -> Vec<Option<f64>> {
         let mut found = Vec::new();
         self.without_weight(state, |inner| {
             let missed = |at: &Fitted, state| reading.fits.missed(at, &self.grid, &self.border, state);
             let of = |(at, position): &(Fitted, [f64; 2])| {
+                if self.hole(*position, state).is_some() || self.fits.is_rough(at.around.centre) {
+                    return None;
+                }
                 let ([missed, _], [_, strained]) = (missed(at, inner), missed(at, state));
-                let is_told = self.hole(*position, state).is_some();
-                (!is_told).then_some(if strained > 0.0 { missed / strained } else { 0.0 })
+                Some(if strained > 0.0 { missed / strained } else { 0.0 })
             };
             found = reading.at.par_iter().with_min_len(64).map(of).collect();
         });

@@ -38,11 +38,13 @@ impl Keys for StatePlane {
         };
         let ends_where_cut = self.edges.is_none();
         let is_rectangle = matches!(asked.body, BodyKind::Rectangle { has_holes: false, .. });
-        // Weights of what is left of a family want more neighbours, and so do ghosts of a border that cuts cells.
-        let usual_horizon_ratio = match parameters.edges {
-            StateEdges::Border => asked.usual_horizon_ratio(),
-            StateEdges::Ghosts if is_rectangle => asked.usual_horizon_ratio(),
-            _ => USUAL_HORIZON_RATIO,
+        // Ghosts serve two spacings where edges lie between cells, and the completed border where it cuts them. The cycle of families
+        // of several materials breaks down with two.
+        let usual_edges = if is_rectangle { StateEdges::Ghosts } else { StateEdges::Border };
+        let has_usual_edges = self.edges.is_none_or(|edges| edges == usual_edges);
+        let usual_horizon_ratio = match asked.materials.is_none() && has_usual_edges {
+            true => asked.usual_horizon_ratio(),
+            false => USUAL_HORIZON_RATIO,
         };
         Some(Box::new(Families { name: NAME, keys, parameters, usual_horizon_ratio, ends_where_cut, filled }))
     }

@@ -12,13 +12,13 @@ use peristat_assembly::recovery::hole::Field;
 /// A fit that misses a larger part of the displacements gives a warning.
 const LARGE: f64 = 0.03;
 /// Stresses below this part of the largest are small: a misfit there gives no warning.
-const SMALL: f64 = 0.1;
+const SMALL: f64 = 0.01;
 
 /// What is found where a probe is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probed {
     field: Field,
-    /// What polynomials miss there, relative to the displacements that strain the body; none where the fields of a hole are.
+    /// What polynomials miss there, relative to the displacements that strain the body; none where nothing tells.
     misfit: Option<f64>,
     /// Whether the stress is small beside the largest that acts on the body or that a probe finds.
     is_small: bool,
@@ -30,7 +30,9 @@ impl Probed {
         let norm = |[xx, yy, xy]: [f64; 3]| (xx * xx + yy * yy + 2.0 * xy * xy).sqrt();
         let largest = fields.iter().map(|field| norm(field.stress)).fold(traction, f64::max);
         let of = |(field, &misfit): (Field, &Option<f64>)| {
-            let is_small = norm(field.stress) <= SMALL * largest;
+            // What is missed may be most of it.
+            let at_most = norm(field.stress) * (1.0 + misfit.unwrap_or(0.0));
+            let is_small = at_most <= SMALL * largest;
             Self { field, misfit, is_small }
         };
         fields.into_iter().zip(misfits).map(of).collect()
