@@ -116,6 +116,25 @@ fn families_like_the_base_change_no_bit() {
     assert!(own.states[0].record.u == solve(&case).states[0].record.u);
 }
 
+/// A cycle for a stiff inclusion in a fine grid gives up at once; its zeros were taken for a motion that nothing resists.
+#[test]
+fn a_cycle_that_breaks_down_is_no_mechanism() {
+    let solved = peristat::solve_text(&format!(
+        "{:#}",
+        json!({
+            "title": "stiff inclusion", "units": "none", "solver": "multigrid", "model": { "state_plane": strain() },
+            "horizon_ratio": 3,
+            "body": { "rectangle": { "size": [16, 8], "spacing": 0.0625 } },
+            "regions": { "box": { "box": { "from": [4, 2], "to": [10, 6] } } },
+            "materials": { "stiff": { "at": "box", "youngs_modulus": 1e4 } },
+            "supports": [{ "at": { "region": "left" }, "ux": 0, "uy": 0 }],
+            "loads": [{ "traction": { "edge": "right", "uniform": [0.3, 1] } }]
+        })
+    ));
+    let summary = solved.unwrap_or_else(|error| panic!("{error}")).summary;
+    assert!(!summary.states[0].certificate.converged && summary.states[0].certificate.digits == 0);
+}
+
 #[test]
 fn coarser_families_precondition_mixtures() {
     let square = |modulus: f64, solver: &str| {

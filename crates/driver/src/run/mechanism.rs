@@ -32,7 +32,8 @@ pub(super) fn refuse<const D: usize>(
     let alone = |point: usize| (0..D).map(|c| blocks[point][c][c] * u[c * n + point].powi(2)).sum::<f64>();
     let stored = 2.0 * system.survey(u).energy;
     let all: f64 = (0..n).map(alone).sum();
-    if !all.is_finite() || stored > ROUNDING * all {
+    // Nothing moves where a cycle broke down at once.
+    if !(all > 0.0 && all.is_finite()) || stored > ROUNDING * all {
         return Ok(());
     }
     let most = (0..n).max_by(|a, b| alone(*a).total_cmp(&alone(*b))).unwrap_or_default();
