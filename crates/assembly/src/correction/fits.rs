@@ -173,11 +173,20 @@ impl Fits {
         Some(fitted)
     }
 
-    /// What a fit misses of a state, and what strains the body around it, as [`LocalFit::missed`].
-    pub(super) fn missed(&self, at: &Fitted, grid: &Grid, border: &Border, state: State) -> [f64; 2] {
-        let known = at.around.known(self.reach, border);
-        let values = at.around.values(border, state);
-        self.known[at.fit as usize].missed(&self.basis, self.radius(grid), &known, &values)
+    /// What a fit misses of a state, relative to what strains the body around it in another, of which the first is a part.
+    pub(super) fn misfit(
+        &self,
+        at: &Fitted,
+        (grid, border): (&Grid, &Border),
+        [part, whole]: [State; 2],
+    ) -> f64 {
+        let (fit, known) = (&self.known[at.fit as usize], at.around.known(self.reach, border));
+        let values = |state| at.around.values(border, state);
+        let strained = fit.strained(&self.basis, &known, &values(whole));
+        if strained == 0.0 {
+            return 0.0;
+        }
+        fit.missed(&self.basis, self.radius(grid), &known, &values(part)) / strained
     }
 
     /// Coefficients of the fields of a fit in a state.

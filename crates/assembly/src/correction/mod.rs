@@ -174,13 +174,10 @@ impl Correction {
     pub fn misfits(&self, reading: &Reading, state: State) -> Vec<Option<f64>> {
         let mut found = Vec::new();
         self.without_weight(state, |inner| {
-            let missed = |at: &Fitted, state| reading.fits.missed(at, &self.grid, &self.border, state);
+            let around = (&self.grid, &self.border);
             let of = |(at, position): &(Fitted, [f64; 2])| {
-                if self.hole(*position, state).is_some() || self.fits.is_rough(at.around.centre) {
-                    return None;
-                }
-                let ([missed, _], [_, strained]) = (missed(at, inner), missed(at, state));
-                Some(if strained > 0.0 { missed / strained } else { 0.0 })
+                let is_told = self.hole(*position, state).is_none() && !self.fits.is_rough(at.around.centre);
+                is_told.then(|| reading.fits.misfit(at, around, [inner, state]))
             };
             found = reading.at.par_iter().with_min_len(64).map(of).collect();
         });

@@ -128,7 +128,7 @@ pub struct Case {
     pub body: Body,
     /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side; of listed points the
     /// spacing is the root of their mean area. Give this or `horizon`; without both it is 3; 2 on solids, and without cracks, `fracture` and `path` on
-    /// lattices of `bond_plane` and `state_plane` with the usual edges or others that are completed, of `state_plane` with the usual ones and one material; 3.2 where no beam bond lies on the fibres.
+    /// lattices of `bond_plane` with edges that are completed and of `state_plane` with the usual edges and one material; 3.2 where no beam bond lies on the fibres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon_ratio: Option<f64>,
     /// Horizon δ, a length; not on a graded grid.

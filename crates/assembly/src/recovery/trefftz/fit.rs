@@ -57,29 +57,36 @@ impl LocalFit {
         &self.solution * DVector::from_column_slice(known)
     }
 
-    /// What the fields miss of some numbers, and the displacements among them less their rigid motion: the norms of both, in which
-    /// all count as in the fit; the second is 0 where it is rounding.
-    pub fn missed(&self, basis: &Basis, radius: f64, known: &[Known], values: &[f64]) -> [f64; 2] {
+    /// What the fields miss of some numbers: the norm, in which all count as in the fit.
+    pub fn missed(&self, basis: &Basis, radius: f64, known: &[Known], values: &[f64]) -> f64 {
         let (matrix, weights) = equations(basis, radius, known);
+        let missed =
+            DVector::from_column_slice(values).component_mul(&weights) - matrix * self.coefficients(values);
+        missed.norm()
+    }
+
+    /// The displacements among some numbers less their rigid motion, in the same norm; 0 where that is rounding.
+    pub fn strained(&self, basis: &Basis, known: &[Known], values: &[f64]) -> f64 {
         let coefficients = self.coefficients(values);
-        let missed = DVector::from_column_slice(values).component_mul(&weights) - matrix * &coefficients;
         let centre = [0.0; 2];
         let shift = basis.displacements(centre).tr_mul(&coefficients);
         let turn = basis.rotations(centre).dot(&coefficients);
         let (mut moved, mut strained) = (0.0, 0.0);
-        for ((one, values), weights) in
-            known.iter().zip(values.chunks_exact(2)).zip(weights.as_slice().chunks_exact(2))
-        {
+        for (one, values) in known.iter().zip(values.chunks_exact(2)) {
             let Known::Displacement([x, y]) = *one else { continue };
             let rigid = [shift[0] - turn * y, shift[1] + turn * x];
             for c in 0..2 {
-                moved += (weights[c] * values[c]).powi(2);
-                strained += (weights[c] * (values[c] - rigid[c])).powi(2);
+                moved += (weight([x, y]) * values[c]).powi(2);
+                strained += (weight([x, y]) * (values[c] - rigid[c])).powi(2);
             }
         }
-        let is_rounding = strained <= ROUNDING * ROUNDING * moved;
-        [missed.norm(), if is_rounding { 0.0 } else { strained.sqrt() }]
+        if strained > ROUNDING * ROUNDING * moved { strained.sqrt() } else { 0.0 }
     }
+}
+
+/// What an equation counts, by its place.
+fn weight([x, y]: [f64; 2]) -> f64 {
+    (-x * x - y * y).exp()
 }
 
 /// The equations of what is known, and what its numbers are multiplied by.
@@ -92,7 +99,7 @@ fn equations(basis: &Basis, radius: f64, known: &[Known]) -> (DMatrix<f64>, DVec
     for ((one, columns), weights) in known.iter().zip(columns).zip(weights.as_mut_slice().chunks_exact_mut(2))
     {
         let (Known::Displacement(at) | Known::Border { at, .. }) = *one;
-        let weight = (-at[0] * at[0] - at[1] * at[1]).exp();
+        let weight = weight(at);
         weights.fill(weight);
         columns.copy_from_slice(basis.displacements(at).as_slice());
         if let Known::Border { normal: [x, y], held, .. } = *one {
