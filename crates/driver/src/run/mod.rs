@@ -12,6 +12,7 @@ mod error;
 mod extent;
 mod factor;
 pub mod fracture;
+mod in_turn;
 mod kept_factor;
 mod kept_inverse;
 mod linear;

@@ -37,7 +37,7 @@ pub struct Timing {
     pub solve: f64,
     /// Certificates of all states.
     pub certify: f64,
-    /// Recovery of fields, checks, and writing.
+    /// Recovery of fields, checks, and writing; of all states but the last perhaps while the next was solved.
     pub record: f64,
     /// Solving the exact beam, where a beam has another law, other ends or another grid: what these are off by.
     pub compare: f64,
@@ -46,7 +46,7 @@ pub struct Timing {
 }
 
 /// Everything about a run but the fields.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct RunReport {
     /// Sizes.
     pub sizes: Sizes,

@@ -3,6 +3,7 @@
 use super::certificate::{self, Certificate, FEW_DIGITS};
 use super::corrections::Corrections;
 use super::error::RunError;
+use super::in_turn::{InTurn, in_turn};
 use super::linear::LinearSolver;
 use super::load::Load;
 use super::mechanism;
@@ -14,7 +15,6 @@ use super::scene_sizes::Sizes;
 use super::shared_solver::SharedSolver;
 use super::solved_state::SolvedState;
 use super::workspace::StateSolution;
-use crate::diagnostic::Faults;
 use peristat_assembly::system::System;
 use std::io;
 use std::time::Instant;
@@ -59,6 +59,26 @@ fn settled<const D: usize>(
     Ok((solution, certificate))
 }
 
+/// Solution of a state, whose load replaces what `load` holds, and the bond evaluations of its own system, if it has one.
+///
+/// # Errors
+/// As [`settled`], and motions that contradict each other.
+pub(super) fn solve_state<const D: usize>(
+    problem: &dyn Problem<D>,
+    system: &System<D>,
+    solver: &mut LinearSolver<D>,
+    (state, load): (usize, &mut Vec<f64>),
+    timing: &mut Timing,
+) -> Result<((StateSolution, Certificate), u64), RunError> {
+    load.clear();
+    load.resize(system.size(), 0.0);
+    let factor = problem.add_load(state, load);
+    let moved = prepare::moved(problem, system, state)?;
+    let (system, motion_factor) = moved.as_ref().map_or((system, factor), |moved| (moved, 1.0));
+    let solved = settled(problem, system, solver, (load, motion_factor), timing)?;
+    Ok((solved, moved.as_ref().map_or(0, System::evaluations)))
+}
+
 /// Corrects the solutions of states that converged, where the problem has corrections: all as often as the one that stalls first, so that
 /// a combination of load cases is the sum of these.
 fn correct<const D: usize>(
@@ -96,11 +116,12 @@ pub(super) fn goes_on(taken: io::Result<()>) -> Result<bool, RunError> {
     }
 }
 
-/// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
+/// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`, each while the
+/// next is solved.
 pub(super) fn solve_states<const D: usize>(
     problem: &dyn Problem<D>,
     prepared: (&System<D>, Sizes),
-    take: &mut dyn FnMut(SolvedState) -> io::Result<()>,
+    take: &mut (dyn FnMut(SolvedState) -> io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     solve_states_by(None, problem, prepared, take)
 }
@@ -110,42 +131,27 @@ pub(super) fn solve_states_by<'a, const D: usize>(
     shared: Option<Box<dyn SharedSolver + 'a>>,
     problem: &dyn Problem<D>,
     (system, sizes): (&'a System<D>, Sizes),
-    take: &mut dyn FnMut(SolvedState) -> io::Result<()>,
+    take: &mut (dyn FnMut(SolvedState) -> io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
     let begin = Instant::now();
     let is_cycle = shared.is_none() && method::plan(problem) == method::Plan::Cycle;
     let coarser = if is_cycle { problem.coarser(system) } else { None };
     timing.assemble = begin.elapsed().as_secs_f64();
+    let is_shared = shared.is_some();
     let mut solver = match shared {
         Some(shared) => LinearSolver::shared(problem, system, shared),
         None => LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?,
     };
-    let mut load = vec![0.0; system.size()];
-    let mut evaluations = 0;
-    let (mut converged, mut kept, mut record_time, mut is_interrupted) = (true, Vec::new(), 0.0, false);
+    let mut record_time = 0.0;
     let mut record = |solved: SolvedState| {
         let begin = Instant::now();
         let goes_on = goes_on(take(solved));
         record_time += begin.elapsed().as_secs_f64();
         goes_on
     };
-    for state in 0..problem.states() {
-        load.fill(0.0);
-        let factor = problem.add_load(state, &mut load);
-        let moved = prepare::moved(problem, system, state)?;
-        let (system, motion_factor) = moved.as_ref().map_or((system, factor), |moved| (moved, 1.0));
-        let (solution, certificate) =
-            settled(problem, system, &mut solver, (&load, motion_factor), &mut timing)?;
-        converged &= certificate.converged;
-        evaluations += moved.as_ref().map_or(0, System::evaluations);
-        if problem.is_corrected() || state + 1 == problem.states() {
-            kept.push((state, solution, certificate));
-        } else if !record(SolvedState { state, load: &load, solution, certificate })? {
-            is_interrupted = true;
-            break;
-        }
-    }
+    let solved = in_turn(problem, system, &mut solver, (!is_shared, &mut record), &mut timing)?;
+    let InTurn { mut kept, mut load, evaluations, converged, mut is_interrupted } = solved;
     correct(problem, system, &mut solver, &mut kept, &mut timing);
     // The factor and the levels are the largest things in memory: what is left is recorded without them.
     let (report, mut counters) = solver.into_reports();
@@ -169,12 +175,8 @@ pub(super) fn solve_states_by<'a, const D: usize>(
         solver: report,
         counters,
         timing,
-        skipped: Vec::new(),
-        warnings: Faults::default(),
         converged,
         is_interrupted,
-        fracture: None,
-        path: None,
-        exact: None,
+        ..RunReport::default()
     })
 }

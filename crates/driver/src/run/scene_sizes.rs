@@ -1,7 +1,7 @@
 //! Sizes of a scene.
 
 /// Sizes of a scene, known before it is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Sizes {
     /// Points, ghosts included.
     pub points: usize,

@@ -15,8 +15,9 @@ pub enum Advance<'a> {
     Path(&'a PathPoint),
 }
 
-/// Takes results as they come, and is asked whether to go on.
-pub trait Sink {
+/// Takes results as they come, one after another, and is asked whether to go on. A result may come from another thread than the one that
+/// solves, while that solves the next state.
+pub trait Sink: Send {
     /// Takes the result of a state.
     ///
     /// # Errors
@@ -42,13 +43,13 @@ pub trait Sink {
 /// A sink of a function that takes each result.
 struct Taking<F>(F);
 
-impl<F: FnMut(StateResult) -> io::Result<()>> Sink for Taking<F> {
+impl<F: FnMut(StateResult) -> io::Result<()> + Send> Sink for Taking<F> {
     fn take(&mut self, result: StateResult) -> io::Result<()> {
         (self.0)(result)
     }
 }
 
 /// A sink that hands every result to a function and is never interrupted.
-pub fn taking(take: impl FnMut(StateResult) -> io::Result<()>) -> impl Sink {
+pub fn taking(take: impl FnMut(StateResult) -> io::Result<()> + Send) -> impl Sink {
     Taking(take)
 }

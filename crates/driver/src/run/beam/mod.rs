@@ -49,7 +49,7 @@ use peristat_assembly::system::System;
 pub fn run(
     scene: &BeamScene,
     options: &RunOptions,
-    sink: &mut dyn FnMut(BeamResult) -> std::io::Result<()>,
+    sink: &mut (dyn FnMut(BeamResult) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let Some(mut gauge) = Gauge::new(scene, options) else { return run_linear(scene, options, sink) };
     let mut report = run_linear(scene, options, &mut |result| {
@@ -65,7 +65,7 @@ pub fn run(
 fn run_linear(
     scene: &BeamScene,
     options: &RunOptions,
-    sink: &mut dyn FnMut(BeamResult) -> std::io::Result<()>,
+    sink: &mut (dyn FnMut(BeamResult) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let recover = recovers(scene, options);
     let options = &RunOptions { recover, ..*options };
@@ -182,7 +182,7 @@ where
 fn solve<const D: usize>(
     scene: &BeamScene,
     options: &RunOptions,
-    take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
+    take: &mut (dyn FnMut(SolvedState) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError>
 where
     TimoshenkoBeam: Model<D>,

@@ -56,7 +56,7 @@ pub use ranks::{follow, lead};
 pub fn run(
     scene: &BodyScene,
     options: &RunOptions,
-    sink: &mut dyn FnMut(BodyResult) -> std::io::Result<()>,
+    sink: &mut (dyn FnMut(BodyResult) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
@@ -76,7 +76,7 @@ pub fn run_on(
     ranks: &dyn Ranks,
     scene: &Scene,
     options: &RunOptions,
-    sink: &mut dyn FnMut(BodyResult) -> std::io::Result<()>,
+    sink: &mut (dyn FnMut(BodyResult) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let scene = ranks::begin(ranks, scene)?;
     let recover = options.recover || asks_for_stresses(scene);
@@ -90,7 +90,7 @@ fn run_body<const D: usize>(
     problem: &BodyProblem<dyn Solvable<D>>,
     options: &RunOptions,
     ranks: Option<&dyn Ranks>,
-    sink: &mut dyn FnMut(BodyResult) -> std::io::Result<()>,
+    sink: &mut (dyn FnMut(BodyResult) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let (scene, recover) = (problem.scene, options.recover);
     let prepared = prepare(problem, options);

@@ -66,12 +66,9 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             solver,
             counters,
             timing: self.timing,
-            skipped: Vec::new(),
             warnings,
             converged: self.converged,
             is_interrupted: ending == Ending::Interrupted,
-            path: None,
-            exact: None,
             fracture: Some(FractureReport {
                 ending: ending.words(),
                 reached_goal: ending.is_goal(),
@@ -81,6 +78,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
                 mean_iterations,
                 facts: facts.0.into_iter().map(|(name, value)| (name, value.into())).collect(),
             }),
+            ..RunReport::default()
         }
     }
 }

@@ -115,12 +115,9 @@ pub(super) fn report<const D: usize>(
         sizes,
         solver,
         timing,
-        skipped: Vec::new(),
         warnings,
         converged: ending != Ending::Stuck,
         is_interrupted: ending == Ending::Interrupted,
-        fracture: None,
-        exact: None,
         path: Some(PathReport {
             ending: ending.words(),
             reached_goal: ending.is_goal(),
@@ -138,5 +135,6 @@ pub(super) fn report<const D: usize>(
             facts: facts(&course.points).0.into_iter().map(|(name, value)| (name, value.into())).collect(),
         }),
         counters,
+        ..RunReport::default()
     }
 }

@@ -23,7 +23,7 @@ use crate::scene::PlateScene;
 pub fn run(
     scene: &PlateScene,
     options: &RunOptions,
-    sink: &mut dyn FnMut(PlateResult) -> std::io::Result<()>,
+    sink: &mut (dyn FnMut(PlateResult) -> std::io::Result<()> + Send),
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_moments(scene);
     let (system, sizes) = prepare(scene, &RunOptions { recover, ..*options })?;

@@ -103,13 +103,10 @@ where
         solver: taken.solver,
         counters: taken.counters,
         timing: taken.timing,
-        skipped: Vec::new(),
         warnings,
         converged,
         is_interrupted,
-        fracture: None,
-        path: None,
-        exact: None,
+        ..RunReport::default()
     })
 }
 

@@ -99,17 +99,13 @@ where
         ..SolverReport::default()
     };
     Ok(RunReport {
-        path: None,
         sizes,
         solver: report,
         counters,
         timing,
-        skipped: Vec::new(),
-        warnings: Default::default(),
         converged,
         is_interrupted,
-        fracture: None,
-        exact: None,
+        ..RunReport::default()
     })
 }
 
