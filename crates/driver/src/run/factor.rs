@@ -96,7 +96,8 @@ impl SparseFactor {
         positions: Option<&[[f64; 2]]>,
     ) -> Result<Self, FactorError> {
         let Some(positions) = positions else {
-            return SparseCholesky::analyse(matrix, Ordering::MinimumDegree).map(Box::new).map(Self::Whole);
+            let ordering = Ordering::MinimumDegreeOfPoints { components: D };
+            return SparseCholesky::analyse(matrix, ordering).map(Box::new).map(Self::Whole);
         };
         let dissection = nested_dissection(positions, &PointGraph::from_matrix(matrix, D));
         match positions.len() > Self::FEW {
@@ -128,7 +129,9 @@ impl SparseFactor {
                 let ordering = Ordering::Points { order: dissection.order(), components: D };
                 SparseIndefinite::analyse(matrix, ordering)
             }
-            (Self::Dissected(_), None) => SparseIndefinite::analyse(matrix, Ordering::MinimumDegree),
+            (Self::Dissected(_), None) => {
+                SparseIndefinite::analyse(matrix, Ordering::MinimumDegreeOfPoints { components: D })
+            }
         }
     }
 

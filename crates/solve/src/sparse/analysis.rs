@@ -34,6 +34,10 @@ impl Analysis {
         check_square(pattern)?;
         let order = match ordering {
             Ordering::MinimumDegree => None,
+            Ordering::MinimumDegreeOfPoints { components } => {
+                let order = ordering::by_degree(pattern, components)?;
+                Some(ordering::unknowns(pattern, &order, components)?)
+            }
             Ordering::Points { order, components } => Some(ordering::unknowns(pattern, order, components)?),
         };
         Self::in_order(pattern, order.as_deref(), threshold)

@@ -1,6 +1,10 @@
 //! In which order unknowns are eliminated.
 
-use crate::FactorError;
+use super::analysis::{buffer, out_of_memory};
+use crate::{FactorError, PointGraph};
+use faer::dyn_stack::MemStack;
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::amd;
 use sprs::CsMat;
 
 /// The order of elimination of a sparse factor.
@@ -9,6 +13,12 @@ pub enum Ordering<'a> {
     /// Approximate minimum degree, from the pattern of the matrix.
     #[default]
     MinimumDegree,
+    /// Approximate minimum degree of points, from their couplings; the unknowns of a point are eliminated together. As good as that of the
+    /// unknowns where those of two coupled points are nearly all coupled, in a part of the time.
+    MinimumDegreeOfPoints {
+        /// Unknowns of each point, numbered in component planes: unknown = component · points + point.
+        components: usize,
+    },
     /// A given order of points, such as that of a [`Dissection`](crate::Dissection); the unknowns of a point are
     /// eliminated together. Unknowns that are coupled with no other come first and cost nothing.
     Points {
@@ -17,6 +27,33 @@ pub enum Ordering<'a> {
         /// Unknowns of each point, numbered in component planes: unknown = component · points + point.
         components: usize,
     },
+}
+
+/// The points of a matrix in an order of approximate minimum degree.
+///
+/// # Errors
+///
+/// [`FactorError::Shape`] if its rows are not those of points, [`FactorError::OutOfMemory`].
+pub(super) fn by_degree(pattern: &CsMat<f64>, components: usize) -> Result<Vec<usize>, FactorError> {
+    let rows = pattern.rows();
+    if components == 0 || rows % components != 0 {
+        return Err(FactorError::Shape {
+            reason: format!("{rows} rows of points of {components} components"),
+        });
+    }
+    let graph = PointGraph::from_matrix(pattern, components);
+    let (mut starts, mut above) = (vec![0], Vec::new());
+    for point in 0..graph.points() {
+        above.extend(graph.neighbours(point).iter().map(|q| *q as usize).filter(|q| *q < point));
+        starts.push(above.len());
+    }
+    let count = graph.points();
+    let upper = SymbolicSparseColMatRef::new_unsorted_checked(count, count, &starts, None, &above);
+    let (mut order, mut places) = (vec![0; count], vec![0; count]);
+    let mut memory = buffer(amd::order_maybe_unsorted_scratch::<usize>(count, above.len()))?;
+    amd::order_maybe_unsorted(&mut order, &mut places, upper, Default::default(), MemStack::new(&mut memory))
+        .map_err(|error| out_of_memory(&error, 0))?;
+    Ok(order)
 }
 
 /// The unknowns of a matrix in the order of their points, those without couplings first.

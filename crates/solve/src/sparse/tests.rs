@@ -123,3 +123,45 @@ fn shape_and_size() {
     assert!(factor.bytes() >= 7 * 8);
     assert_eq!(solve(&mut factor, &[2.0; 7]), [2.0; 7]);
 }
+
+#[test]
+fn points_by_minimum_degree_have_the_fill_of_their_unknowns() {
+    const COMPONENTS: usize = 3;
+    let points = grid(30, false, |_| 5.0);
+    let n = points.rows();
+    let mut entries = TriMat::new((COMPONENTS * n, COMPONENTS * n));
+    for (value, (p, q)) in points.iter() {
+        for (a, b) in (0..COMPONENTS).flat_map(|a| (0..COMPONENTS).map(move |b| (a, b))) {
+            let (i, j) = (a * n + p, b * n + q);
+            let entry = if i == j { 20.0 } else { 0.5 * value / (1 + a + b) as f64 };
+            let is_twice = p == q && a < b;
+            if !is_twice {
+                entries.add_triplet(i.max(j), i.min(j), entry);
+            }
+        }
+    }
+    let matrix: CsMat<f64> = entries.to_csr();
+    let mut plain = factored(&matrix);
+    let ordering = Ordering::MinimumDegreeOfPoints { components: COMPONENTS };
+    let mut factor = SparseCholesky::analyse(&matrix, ordering).unwrap();
+    factor.refactor(&matrix).unwrap();
+    let ratio = factor.fill() as f64 / plain.fill() as f64;
+    // Found 1: the same fill.
+    assert!((ratio - 1.0).abs() < 0.03, "{ratio}");
+    let r = wavy(COMPONENTS * n);
+    for (z, x) in solve(&mut factor, &r).iter().zip(&solve(&mut plain, &r)) {
+        assert!((z - x).abs() < 1e-15, "{z} {x}");
+    }
+}
+
+#[test]
+fn rows_that_are_not_those_of_points_are_refused() {
+    let seven = CsMat::<f64>::eye(7);
+    for components in [0, 2] {
+        let ordering = Ordering::MinimumDegreeOfPoints { components };
+        assert!(matches!(SparseCholesky::analyse(&seven, ordering), Err(FactorError::Shape { .. })));
+    }
+    let none = CsMat::<f64>::zero((0, 0));
+    let ordering = Ordering::MinimumDegreeOfPoints { components: 3 };
+    assert_eq!(SparseCholesky::analyse(&none, ordering).unwrap().fill(), 0);
+}

@@ -34,9 +34,15 @@ impl<'a> Along<'a> {
 
     /// Smallest and largest value of a field, at points and between them, with the lines and positions.
     pub(crate) fn extremes(&self, field: FieldName) -> Option<[(f64, usize, f64); 2]> {
+        let ends: Vec<Ends<'_>> = self.0.iter().map(|line| line.ends(field)).collect::<Option<_>>()?;
+        let found: Vec<[(f64, usize); 2]> = ends.iter().map(Ends::extremes).collect::<Option<_>>()?;
+        // Lines whose points are far from the extremes of all have none between them.
+        let low = found.iter().fold(f64::INFINITY, |low, [least, _]| low.min(least.0));
+        let high = found.iter().fold(f64::NEG_INFINITY, |high, [_, most]| high.max(most.0));
         let mut range = Range::default();
         for (line, between) in self.0.iter().enumerate() {
-            range.take(between.extremes(field)?.map(|(value, x)| (value, (line, x))));
+            let extremes = between.extremes_beyond([low, high], field, &ends[line], found[line])?;
+            range.take(extremes.map(|(value, x)| (value, (line, x))));
         }
         range.ends().map(|ends| ends.map(|(value, (line, x))| (value, line, x)))
     }
@@ -67,9 +73,21 @@ impl Between<'_> {
     fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
         let ends = self.ends(field)?;
         let found = ends.extremes()?;
+        self.extremes_beyond(found.map(|(value, _)| value), field, &ends, found)
+    }
+
+    /// The same, looked for between points where the field may leave a range; `found` are those at points.
+    fn extremes_beyond(
+        &self,
+        range_of_points: [f64; 2],
+        field: FieldName,
+        ends: &Ends<'_>,
+        found: [(f64, usize); 2],
+    ) -> Option<[(f64, f64); 2]> {
         let mut range = Range::default();
         range.take(found.map(|(value, point)| (value, self.position(point))));
-        for cell in self.high_cells(field, &ends, found).into_iter().map(|number| self.cell(number)) {
+        let high = self.high_cells(field, ends, found, range_of_points);
+        for cell in high.into_iter().map(|number| self.cell(number)) {
             for part in cell.parts(field)? {
                 part.corners().into_iter().for_each(|found| range.take([found; 2]));
                 if !cell.is_straight(field) {
@@ -81,12 +99,13 @@ impl Between<'_> {
         range.ends()
     }
 
-    /// The cells that may rise above the largest value at a point, or fall below the smallest.
+    /// The cells in which a field may leave a range; `low` and `high` are its extremes at the points of the line.
     pub(super) fn high_cells(
         &self,
         field: FieldName,
         ends: &Ends<'_>,
         [low, high]: [(f64, usize); 2],
+        [bottom, top]: [f64; 2],
     ) -> Vec<usize> {
         // Ends of so few cells tell nothing of what is between them.
         const FEW: usize = 8;
@@ -108,7 +127,7 @@ impl Between<'_> {
         let mut high_cells = Vec::new();
         for (cell, ([a, b], rises)) in ends.iter().zip(rises.windows(3)).enumerate() {
             let rise = rises[0].max(rises[1]).max(rises[2]);
-            let (bottom, top) = (low.0 + rise, high.0 - rise);
+            let (bottom, top) = (bottom + rise, top - rise);
             if (*a >= top || *b >= top || *a <= bottom || *b <= bottom) && may_turn(&cell) {
                 high_cells.push(cell);
             }
