@@ -14,7 +14,8 @@ use peristat_assembly::system::System;
 const FEW_UNKNOWNS: usize = 4096;
 
 /// Solves a state while another thread records the one before it; records first where there is no other, or not enough to do for it.
-/// There is no solution if the run ends after the record.
+/// There is no solution if the run ends after the record. A thread that waits for parts of a product may take up the record meanwhile, so
+/// this must not wait for what the solution holds.
 ///
 /// # Errors
 /// As `record`.
