@@ -37,6 +37,9 @@ fn while_solving<T>(
     }
 }
 
+/// Takes a solved state, and tells whether the run goes on.
+type Record<'a> = dyn FnMut(SolvedState) -> Result<bool, RunError> + Send + 'a;
+
 /// States that were solved one after another.
 pub(super) struct InTurn {
     /// Those that are not recorded yet: the last, or all where corrections follow.
@@ -54,7 +57,7 @@ pub(super) fn in_turn<const D: usize>(
     problem: &dyn Problem<D>,
     system: &System<D>,
     solver: &mut LinearSolver<D>,
-    (may_share, record): (bool, &mut (dyn FnMut(SolvedState) -> Result<bool, RunError> + Send)),
+    (may_share, record): (bool, &mut Record<'_>),
     timing: &mut Timing,
 ) -> Result<InTurn, RunError> {
     let is_large = may_share && system.size() > FEW_UNKNOWNS;

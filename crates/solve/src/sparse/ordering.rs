@@ -36,7 +36,7 @@ pub enum Ordering<'a> {
 /// [`FactorError::Shape`] if its rows are not those of points, [`FactorError::OutOfMemory`].
 pub(super) fn by_degree(pattern: &CsMat<f64>, components: usize) -> Result<Vec<usize>, FactorError> {
     let rows = pattern.rows();
-    if components == 0 || rows % components != 0 {
+    if components == 0 || !rows.is_multiple_of(components) {
         return Err(FactorError::Shape {
             reason: format!("{rows} rows of points of {components} components"),
         });
