@@ -32,6 +32,7 @@ mod equation_12;
 mod estimate_doubts;
 mod estimates;
 mod exact_law;
+mod extremes_of_frames;
 mod family_cases;
 mod fields;
 mod foundation;

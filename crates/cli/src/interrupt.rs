@@ -12,8 +12,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Takes the first SIGINT or SIGTERM from now on as the wish to end the run after the current solve; a second one ends
-    /// the process at once.
+    /// Takes the first SIGINT or SIGTERM from now on as the wish to end the run after the current solve, or after the next
+    /// load case where that is solved meanwhile; a second one ends the process at once.
     ///
     /// # Errors
     /// The system does not let signals be handled.

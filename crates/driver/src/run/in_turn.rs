@@ -15,7 +15,7 @@ const FEW_UNKNOWNS: usize = 4096;
 
 /// Solves a state while another thread records the one before it; records first where there is no other, or not enough to do for it.
 /// There is no solution if the run ends after the record. A thread that waits for parts of a product may take up the record meanwhile, so
-/// this must not wait for what the solution holds.
+/// `record` must not lock what `solve` may hold, such as the room of the products of a system.
 ///
 /// # Errors
 /// As `record`.
@@ -73,6 +73,8 @@ pub(super) fn in_turn<const D: usize>(
             solve_state(problem, system, solver, (state, &mut load), timing)
         })?;
         let Some(solved) = solved else {
+            // Nobody takes what may have been solved meanwhile.
+            solver.keep(state);
             return Ok(InTurn { kept, load, evaluations, converged, is_interrupted: true });
         };
         let ((solution, certificate), moved) = solved?;
@@ -101,10 +103,20 @@ mod tests {
 
     #[test]
     fn a_large_state_is_solved_while_the_one_before_is_recorded() {
-        let (begun, waits) = channel();
-        let record = move || Ok(waits.recv_timeout(Duration::from_secs(60)).is_ok());
-        let solved = with_threads(2, || while_solving(true, Some(record), || begun.send(()).unwrap()));
-        assert!(solved.unwrap().is_some(), "the record waited in vain");
+        let patience = Duration::from_secs(60);
+        let ((solves, hears_of_solve), (records, hears_of_record)) = (channel(), channel());
+        let met = with_threads(2, move || {
+            let record = move || {
+                records.send(()).unwrap();
+                Ok(hears_of_solve.recv_timeout(patience).is_ok())
+            };
+            // Neither can end without the other.
+            while_solving(true, Some(record), move || {
+                solves.send(()).unwrap();
+                hears_of_record.recv_timeout(patience).is_ok()
+            })
+        });
+        assert_eq!(met.unwrap(), Some(true));
     }
 
     #[test]

@@ -104,6 +104,11 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         Ok(())
     }
 
+    /// Forgets the iterations of states from the given number on.
+    pub(super) fn keep(&mut self, states: usize) {
+        self.report.iterations.truncate(states);
+    }
+
     /// Displacements of each component that count as equally large.
     pub(super) fn scales(&self) -> &[f64; D] {
         &self.work.scales

@@ -26,7 +26,8 @@ pub struct Counters {
     pub factor_bytes: usize,
 }
 
-/// Wall time per stage, s.
+/// Wall time per stage, s. Load cases that are recorded while others are solved share the processor with these, and stages may add up to
+/// more than a run takes.
 #[derive(Clone, Debug, Default, serde::Serialize)]
 pub struct Timing {
     /// Assembly of the stiffness, or of the coarser levels.
@@ -37,7 +38,7 @@ pub struct Timing {
     pub solve: f64,
     /// Certificates of all states.
     pub certify: f64,
-    /// Recovery of fields, checks, and writing; of all states but the last perhaps while the next was solved.
+    /// Recovery of fields, checks, and writing.
     pub record: f64,
     /// Solving the exact beam, where a beam has another law, other ends or another grid: what these are off by.
     pub compare: f64,

@@ -116,8 +116,8 @@ pub(super) fn goes_on(taken: io::Result<()>) -> Result<bool, RunError> {
     }
 }
 
-/// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`, each while the
-/// next is solved.
+/// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`, a large one
+/// perhaps while the next is solved.
 pub(super) fn solve_states<const D: usize>(
     problem: &dyn Problem<D>,
     prepared: (&System<D>, Sizes),

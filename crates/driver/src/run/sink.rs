@@ -16,7 +16,7 @@ pub enum Advance<'a> {
 }
 
 /// Takes results as they come, one after another, and is asked whether to go on. A result may come from another thread than the one that
-/// solves, while that solves the next state.
+/// solves, while that solves the next state: a sink must not wait in a thread pool for what another run with the same lock does.
 pub trait Sink: Send {
     /// Takes the result of a state.
     ///

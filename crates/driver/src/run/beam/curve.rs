@@ -11,9 +11,7 @@ impl Between<'_> {
     /// was not recovered or does not exist.
     pub(super) fn curve(&self, field: FieldName) -> Option<Vec<(f64, f64)>> {
         let ends = self.ends(field)?;
-        let extremes = ends.extremes()?;
-        let range = extremes.map(|(value, _)| value);
-        let mut high = self.high_cells(field, &ends, extremes, range).into_iter().peekable();
+        let mut high = self.high_cells(field, &ends, ends.extremes()?).into_iter().peekable();
         let pieces = PIECES.div_ceil(self.cells());
         let ends = ends.all();
         let mut points = Vec::with_capacity(2 * ends.len());

@@ -36,7 +36,6 @@ impl<'a> Along<'a> {
     pub(crate) fn extremes(&self, field: FieldName) -> Option<[(f64, usize, f64); 2]> {
         let ends: Vec<Ends<'_>> = self.0.iter().map(|line| line.ends(field)).collect::<Option<_>>()?;
         let found: Vec<[(f64, usize); 2]> = ends.iter().map(Ends::extremes).collect::<Option<_>>()?;
-        // Lines whose points are far from the extremes of all have none between them.
         let low = found.iter().fold(f64::INFINITY, |low, [least, _]| low.min(least.0));
         let high = found.iter().fold(f64::NEG_INFINITY, |high, [_, most]| high.max(most.0));
         let mut range = Range::default();
@@ -76,7 +75,7 @@ impl Between<'_> {
         self.extremes_beyond(found.map(|(value, _)| value), field, &ends, found)
     }
 
-    /// The same, looked for between points where the field may leave a range; `found` are those at points.
+    /// The same, where those between points count only outside of a range; `found` are those at points.
     fn extremes_beyond(
         &self,
         range_of_points: [f64; 2],
@@ -86,26 +85,24 @@ impl Between<'_> {
     ) -> Option<[(f64, f64); 2]> {
         let mut range = Range::default();
         range.take(found.map(|(value, point)| (value, self.position(point))));
-        let high = self.high_cells(field, ends, found, range_of_points);
-        for cell in high.into_iter().map(|number| self.cell(number)) {
+        for cell in self.high_cells(field, ends, found).into_iter().map(|number| self.cell(number)) {
             for part in cell.parts(field)? {
                 part.corners().into_iter().for_each(|found| range.take([found; 2]));
-                if !cell.is_straight(field) {
-                    let peaks = part.peaks(|x| cell.value(field, x, true))?;
-                    peaks.into_iter().for_each(|found| range.take([found; 2]));
+                let value = |x: f64| cell.value(field, x, true);
+                if !cell.is_straight(field) && part.may_leave(range_of_points, value)? {
+                    part.peaks(value)?.into_iter().for_each(|found| range.take([found; 2]));
                 }
             }
         }
         range.ends()
     }
 
-    /// The cells in which a field may leave a range; `low` and `high` are its extremes at the points of the line.
+    /// The cells that may rise above the largest value at a point, or fall below the smallest.
     pub(super) fn high_cells(
         &self,
         field: FieldName,
         ends: &Ends<'_>,
         [low, high]: [(f64, usize); 2],
-        [bottom, top]: [f64; 2],
     ) -> Vec<usize> {
         // Ends of so few cells tell nothing of what is between them.
         const FEW: usize = 8;
@@ -127,7 +124,7 @@ impl Between<'_> {
         let mut high_cells = Vec::new();
         for (cell, ([a, b], rises)) in ends.iter().zip(rises.windows(3)).enumerate() {
             let rise = rises[0].max(rises[1]).max(rises[2]);
-            let (bottom, top) = (bottom + rise, top - rise);
+            let (bottom, top) = (low.0 + rise, high.0 - rise);
             if (*a >= top || *b >= top || *a <= bottom || *b <= bottom) && may_turn(&cell) {
                 high_cells.push(cell);
             }

@@ -23,6 +23,18 @@ impl Part {
         self.ends[0] + q * (self.ends[1] - self.ends[0])
     }
 
+    /// Whether the function may leave a range inside. At one of two places a cubic is three quarters as far from its chord as anywhere, or
+    /// more; others have twice the room. None where it has no value.
+    pub(super) fn may_leave(&self, [low, high]: [f64; 2], f: impl Fn(f64) -> Option<f64>) -> Option<bool> {
+        const ROOM: f64 = 3.0;
+        let [start, end] = self.values;
+        let mut rise: f64 = 0.0;
+        for q in [0.25, 0.75] {
+            rise = rise.max(ROOM * (f(self.at(q))? - start - q * (end - start)).abs());
+        }
+        Some(start.max(end) + rise > high || start.min(end) - rise < low)
+    }
+
     /// The value in the middle, and largest and smallest values inside, with their positions: at most one in each half. None where
     /// the function has no value.
     pub(super) fn peaks(&self, f: impl Fn(f64) -> Option<f64>) -> Option<Vec<(f64, f64)>> {
@@ -152,6 +164,19 @@ mod tests {
             let [_, (value, _)] = extremes(|x| -x.sin(), [start, start + 1.2]);
             assert!((value + 1.0).abs() < 1e-14, "{value}");
         }
+    }
+
+    #[test]
+    fn a_range_is_left_only_where_values_do() {
+        let leaves = |f: &dyn Fn(f64) -> f64, range: [f64; 2]| {
+            Part { ends: [0.0, 1.0], values: [f(0.0), f(1.0)] }.may_leave(range, |x| Some(f(x))).unwrap()
+        };
+        // As high as 1/4 in the middle, between ends of equal height; and up and down by √3/36 = 0.048 with the middle on the chord.
+        let (hill, wave) = (|x: f64| x * (1.0 - x), |x: f64| x * (x - 0.5) * (x - 1.0));
+        assert!(leaves(&hill, [0.0, 0.0]) && leaves(&hill, [-1.0, 0.24]) && !leaves(&hill, [-1.0, 1.0]));
+        assert!(leaves(&wave, [0.0, 0.0]) && leaves(&wave, [-1.0, 0.048]) && leaves(&wave, [-0.048, 1.0]));
+        assert!(!leaves(&wave, [-0.1, 0.1]) && !leaves(&|x| x, [0.0, 1.0]));
+        assert_eq!(Part { ends: [0.0, 1.0], values: [0.0; 2] }.may_leave([0.0; 2], |_| None), None);
     }
 
     #[test]
