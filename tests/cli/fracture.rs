@@ -226,7 +226,7 @@ fn an_interrupted_run_says_so_and_goes_on_later() {
     let folder = tempfile::tempdir().unwrap();
     let told = interrupted(folder.path(), &case(), 5);
     // A thread of its own says this while a solve goes on; this one may end first, and say so before it.
-    let told = told.replace("\nending after this solve; once more ends it at once\n", "");
+    let told = told.replace("\nending after a solve; once more ends it at once\n", "");
     assert_eq!(told, "interrupted\nhint: the same command with `--resume` goes on from here\n");
     let out = folder.path().join("out");
     // The last equilibrium is kept.

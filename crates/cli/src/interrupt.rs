@@ -42,7 +42,7 @@ fn tell() -> io::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
     std::thread::Builder::new().name("interrupt".into()).spawn(move || {
         if signals.forever().next().is_some() {
-            note("\nending after this solve; once more ends it at once\n");
+            note("\nending after a solve; once more ends it at once\n");
         }
     })?;
     Ok(())
