@@ -175,7 +175,7 @@ mod tests {
         let (hill, wave) = (|x: f64| x * (1.0 - x), |x: f64| x * (x - 0.5) * (x - 1.0));
         assert!(leaves(&hill, [0.0, 0.0]) && leaves(&hill, [-1.0, 0.24]) && !leaves(&hill, [-1.0, 1.0]));
         assert!(leaves(&wave, [0.0, 0.0]) && leaves(&wave, [-1.0, 0.048]) && leaves(&wave, [-0.048, 1.0]));
-        assert!(!leaves(&wave, [-0.1, 0.1]) && !leaves(&|x| x, [0.0, 1.0]));
+        assert!(!leaves(&wave, [-0.2, 0.2]) && !leaves(&|x| x, [0.0, 1.0]));
         assert_eq!(Part { ends: [0.0, 1.0], values: [0.0; 2] }.may_leave([0.0; 2], |_| None), None);
     }
 
