@@ -97,6 +97,7 @@ mod short_beams;
 mod singular_estimates;
 mod skipping;
 mod slots;
+mod soft_motions;
 mod softening_edges;
 mod solid_cracks;
 mod solid_files;

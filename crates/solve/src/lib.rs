@@ -21,6 +21,7 @@
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
 //!   accurately than the assembled matrix could is the truth;
 //! * [`Multigrid`] is a preconditioner for matrices too large to factor, given the levels of a [`Hierarchy`];
+//! * [`Deflated`] adds to a preconditioner what it does not know of a few smooth vectors;
 //! * [`Semicoarsening`] makes such levels from a matrix, coarser along one direction only;
 //! * [`Ranks`] are processes that solve one problem together.
 //!
@@ -31,6 +32,7 @@
 mod band;
 mod blocks;
 mod choice;
+mod deflated;
 mod dissected;
 mod dissection;
 mod error;
@@ -48,6 +50,7 @@ mod sparse;
 
 pub use band::{BandCholesky, BandMatrix};
 pub use choice::{Method, Profile, choose};
+pub use deflated::{Deflated, SmoothVectors};
 pub use dissected::DissectedCholesky;
 pub use dissection::{Dissection, PointGraph, nested_dissection};
 pub use error::FactorError;

@@ -9,11 +9,12 @@ use super::semicoarsened;
 use super::single_cycle;
 use super::solve_failure::SolveFailure;
 use super::solver_report::SolverReport;
+use super::workspace::Elementwise;
 use super::{Counters, Problem, Timing};
 use crate::case::Solver;
 use crate::diagnostic::tidy;
 use peristat_assembly::system::{Level, System};
-use peristat_solve::{PcgOptions, Preconditioner};
+use peristat_solve::{Deflated, PcgOptions, Preconditioner};
 use std::time::Instant;
 
 /// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
@@ -158,7 +159,10 @@ pub(super) fn method<'a, const D: usize>(
             let reason = format!("{points} points, {why}: a factor would take too much memory");
             of_blocks(system, because(reason), timing)
         }
-        _ => of_factor(problem, system, timing, counters),
+        _ => {
+            let method = of_factor(problem, system, timing, counters)?;
+            Ok(with_soft_motions(method, problem, system, timing))
+        }
     }
 }
 
@@ -191,6 +195,24 @@ pub(super) fn of_factor<'a, const D: usize>(
         };
     }
     Ok(Method { preconditioner, report, finish: Finish::of_factor(), rounded: None })
+}
+
+/// A method whose factor also knows the motions that its rounding hides, where there are any and their stiffness has a factor.
+fn with_soft_motions<'a, const D: usize>(
+    method: Method<'a, D>,
+    problem: &dyn Problem<D>,
+    system: &'a System<D>,
+    timing: &mut Timing,
+) -> Method<'a, D> {
+    let Some(motions) = problem.soft_motions(system) else { return method };
+    let begin = Instant::now();
+    let preconditioner: Box<dyn Preconditioner + 'a> =
+        match Deflated::new(Box::new(Elementwise(system)), method.preconditioner, motions) {
+            Ok(deflated) => Box::new(deflated),
+            Err((_, factor)) => factor,
+        };
+    timing.factor += begin.elapsed().as_secs_f64();
+    Method { preconditioner, ..method }
 }
 
 /// Points of a solid whose factor is worth its memory where nothing else converges.

@@ -7,6 +7,7 @@ use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Spring;
 use peristat_assembly::system::{FreeMotion, System};
+use peristat_solve::SmoothVectors;
 
 /// Points beyond which a factor takes more memory than most machines have.
 pub(crate) const TOO_MANY_POINTS: usize = 500_000;
@@ -69,6 +70,11 @@ pub trait Problem<const D: usize> {
 
     /// The coarser levels of a multigrid cycle, where the points are those of a lattice.
     fn coarser(&self, _system: &System<D>) -> Option<Coarser<D>> {
+        None
+    }
+
+    /// Motions so soft that the rounding of a factor hides them, where there are such.
+    fn soft_motions(&self, _system: &System<D>) -> Option<Box<dyn SmoothVectors>> {
         None
     }
 

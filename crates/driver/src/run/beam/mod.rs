@@ -18,6 +18,7 @@ mod problem;
 mod reaction;
 mod reduced;
 mod skipped;
+mod soft_motions;
 mod strain;
 mod twin;
 mod verdict;

@@ -1,5 +1,6 @@
 //! A beam as a problem to be solved, with two or three unknowns per point.
 
+use super::soft_motions::SoftMotions;
 use crate::case::Solver;
 use crate::run::Problem;
 use crate::scene::BeamScene;
@@ -7,7 +8,8 @@ use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 use peristat_assembly::stiffness::Spring;
-use peristat_assembly::system::FreeMotion;
+use peristat_assembly::system::{FreeMotion, System};
+use peristat_solve::SmoothVectors;
 
 impl<const D: usize> Problem<D> for BeamScene
 where
@@ -37,6 +39,10 @@ where
         let state = &self.states[state];
         state.loads.add_to(&self.beam, force);
         state.motion_factor
+    }
+
+    fn soft_motions(&self, system: &System<D>) -> Option<Box<dyn SmoothVectors>> {
+        Some(Box::new(SoftMotions::new(self, system.constraints())?))
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {
