@@ -34,6 +34,7 @@ mod estimates;
 mod exact_law;
 mod extremes_of_frames;
 mod family_cases;
+mod fibre_materials;
 mod fields;
 mod foundation;
 mod fracture_plane;

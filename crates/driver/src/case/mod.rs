@@ -225,7 +225,10 @@ impl Case {
             _ => None,
         };
         let surfaces = self.cracks.iter_mut().filter_map(|crack| crack.file.as_mut());
-        let moduli = self.materials.values_mut().flat_map(|m| [&mut m.youngs_modulus, &mut m.shear_modulus]);
+        let moduli = self
+            .materials
+            .values_mut()
+            .flat_map(|m| [&mut m.youngs_modulus, &mut m.shear_modulus, &mut m.stiffness_factor]);
         let tables = moduli.filter_map(|modulus| match modulus {
             Some(Modulus::Table(table)) => Some(&mut table.file),
             _ => None,

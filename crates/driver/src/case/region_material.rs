@@ -1,6 +1,6 @@
 //! Materials of regions and of members of frames, as cases write them.
 
-use super::{Modulus, Names, Strengths};
+use super::{Expansion, Modulus, Names, Strengths};
 use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,9 @@ pub struct RegionMaterial {
     /// from E and the `poisson_ratio` of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<Modulus>,
+    /// All moduli of a body with fibres over those of `model`, > 0, which may vary as E does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness_factor: Option<Modulus>,
     /// Thickness of a region of a plate in bending, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub thickness: Option<f64>,
@@ -44,7 +47,7 @@ pub struct RegionMaterial {
     /// Stresses at which a region of a body fails, where they are other than the `strengths` beside `model`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strengths: Option<Strengths>,
-    /// Strain per kelvin, for `temperature`.
+    /// Strain per kelvin, for `temperature`; of fibres `[along, across]` them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub thermal_expansion: Option<f64>,
+    pub thermal_expansion: Option<Expansion>,
 }

@@ -36,6 +36,16 @@ pub enum Expansion {
     Fibres([f64; 2]),
 }
 
+impl Expansion {
+    /// What a material stretches by along and across fibres; without fibres both are the same.
+    pub fn along_and_across(self) -> [f64; 2] {
+        match self {
+            Self::Alike(alpha) => [alpha; 2],
+            Self::Fibres(both) => both,
+        }
+    }
+}
+
 impl<'de> Deserialize<'de> for Expansion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct TemperatureVisitor;
@@ -61,11 +71,11 @@ impl<'de> Deserialize<'de> for Expansion {
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Expansion, A::Error> {
                 let mut next =
-                    |k: usize| seq.next_element::<f64>()?.ok_or_else(|| A::Error::invalid_length(k, &self));
+                    |k: usize| seq.next_element::<f64>()?.ok_or_else(|| A::Error::invalid_length(k, &"2"));
                 let values = [next(0)?, next(1)?];
                 match seq.next_element::<f64>()? {
                     None => Ok(Expansion::Fibres(values)),
-                    Some(_) => Err(A::Error::invalid_length(3, &self)),
+                    Some(_) => Err(A::Error::invalid_length(3, &"2")),
                 }
             }
         }

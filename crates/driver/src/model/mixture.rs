@@ -14,8 +14,10 @@ pub struct OtherMaterial {
     pub poisson_ratio: Option<f64>,
     /// The least and the greatest shear modulus of its points.
     pub shear_modulus: Option<[f64; 2]>,
-    /// Strain per kelvin.
-    pub thermal_expansion: Option<f64>,
+    /// The least and the greatest factor on all moduli of its points.
+    pub stiffness_factor: Option<[f64; 2]>,
+    /// Strain per kelvin, along and across fibres; without fibres both are the same.
+    pub thermal_expansion: Option<[f64; 2]>,
     /// Mass per volume.
     pub density: Option<f64>,
     /// Stress at which it yields.

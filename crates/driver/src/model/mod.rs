@@ -199,8 +199,15 @@ pub(crate) mod hints {
     /// For bodies in the plane, and their cracks.
     pub(crate) const PLANE: &str = "bond_plane";
     /// For bodies of several materials.
-    const MIXTURES: [&str; 6] =
-        ["bond_plane", "bond_antiplane", "bond_solid", "state_plane", "axisymmetric", "state_solid"];
+    const MIXTURES: [&str; 7] = [
+        "bond_plane",
+        "beam_bond_orthotropic",
+        "bond_antiplane",
+        "bond_solid",
+        "state_plane",
+        "axisymmetric",
+        "state_solid",
+    ];
     /// For bonds that soften.
     pub(crate) const SOFTENING: &str = "bond_plane";
     /// The models of bodies of several materials.

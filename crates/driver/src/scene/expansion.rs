@@ -14,11 +14,16 @@ pub(super) fn of(case: &Case, has_fibres: bool, path: &JsonPath, faults: &mut Fa
             )
             .hint("strain per kelvin: steel has `\"thermal_expansion\": 1.2e-5`, aluminium 2.3e-5");
     }
-    if matches!(given, Some(Expansion::Fibres(_))) && !has_fibres {
+    given.filter(|given| has_fibres || is_one(*given, &root("thermal_expansion"), faults))
+}
+
+/// Whether a material without fibres has one expansion; a fault where it has two.
+pub(super) fn is_one(given: Expansion, path: &JsonPath, faults: &mut Faults) -> bool {
+    let is_one = matches!(given, Expansion::Alike(_));
+    if !is_one {
         faults
-            .error(root("thermal_expansion"), "a material without fibres has one `thermal_expansion`")
+            .error(path.clone(), "a material without fibres has one `thermal_expansion`")
             .hint("give one number");
-        return None;
     }
-    given
+    is_one
 }

@@ -90,6 +90,9 @@ pub struct RegionSummary {
     /// Shear modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<ValueSummary>,
+    /// Factor on all moduli, where it has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_factor: Option<ValueSummary>,
     /// Critical stretch of its bonds, where they break.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_stretch: Option<ValueSummary>,
@@ -198,6 +201,7 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
         youngs_modulus: other.youngs_modulus.map(Into::into),
         poisson_ratio: other.poisson_ratio,
         shear_modulus: other.shear_modulus.map(Into::into),
+        stiffness_factor: other.stiffness_factor.map(Into::into),
         critical_stretch: stretches(other, &|critical, modulus| critical.ratio_within(number, modulus)),
         interface_stretch: stretches(other, &|critical, modulus| {
             critical.ratio_between([(0, 1.0), (number, modulus)])

@@ -2,7 +2,7 @@
 
 use super::super::plane::{
     BorderShares, BreakingModel, COMPONENTS, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors,
-    PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, in_plane, rigid_motion,
+    Mixture, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, in_plane, rigid_motion,
 };
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
@@ -60,6 +60,25 @@ impl BeamBondOrthotropic {
         parameters: OrthotropicParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, OrthotropicError> {
+        Self::mixed(lattice, mirrors, parameters, cuts, Vec::new())
+    }
+
+    /// The same of points of several stiffnesses: `factors` are moduli of the points over those of the parameters, > 0, images having
+    /// those of their points; none where all are one. Edges are completed.
+    ///
+    /// # Errors
+    /// As [`on_lattice`](Self::on_lattice).
+    ///
+    /// # Panics
+    /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
+    pub fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: OrthotropicParameters,
+        cuts: &[(usize, usize)],
+        factors: Vec<f64>,
+    ) -> Result<Self, OrthotropicError> {
+        assert!(factors.is_empty() || factors.len() == lattice.points(), "one factor per point");
         let bonds = BeamNeighbourhood::new(&parameters)?;
         let (spacing, thickness) = (lattice.spacing(), parameters.material.thickness);
         let stiffness = parameters.material.stiffness_at(parameters.fibre_angle);
@@ -69,7 +88,8 @@ impl BeamBondOrthotropic {
             thickness,
             stretch_moduli: [stiffness[0][0], stiffness[1][1]],
         };
-        let body = LatticeBody::new(lattice, mirrors, bonds.neighbourhood().clone(), kind, cuts);
+        let neighbourhood = bonds.neighbourhood().clone();
+        let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, Mixture::new(factors));
         let compliance = parameters.material.compliance_at(parameters.fibre_angle);
         Ok(Self { parameters, compliance, components: components(&body.kind.bond), body })
     }
@@ -129,6 +149,11 @@ impl BodyModel for BeamBondOrthotropic {
         in_plane(self, stress, across)
     }
 
+    fn strains_at(&self, point: usize, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        let factor = self.body.factor(point);
+        self.strains_of(stress, across).map(|strain| strain / factor)
+    }
+
     fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
         self.stress_across([x, y, shear])
     }
@@ -151,8 +176,18 @@ impl PlaneModel for BeamBondOrthotropic {
         self.parameters.material.stiffness_at(self.parameters.fibre_angle)
     }
 
+    fn stiffness_at(&self, point: usize) -> Mat<3, 3> {
+        let factor = self.body.factor(point);
+        self.stiffness().map(|row| row.map(|c| factor * c))
+    }
+
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
         self.compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
+    }
+
+    fn strain_at(&self, point: usize, stress: [f64; 3], _across: f64) -> [f64; 3] {
+        let factor = self.body.factor(point);
+        self.strain_of(stress).map(|strain| strain / factor)
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {
@@ -198,7 +233,11 @@ impl Model<3> for BeamBondOrthotropic {
         let stiffness = self.stiffness();
         let diagonal = [0, 1, 2].map(|k| stiffness[k][k]);
         let [least, most] = [f64::min, f64::max].map(|of| diagonal.into_iter().reduce(of).unwrap_or(1.0));
-        (most / least).sqrt()
+        self.contrast_of_points() * (most / least).sqrt()
+    }
+
+    fn contrast_of_points(&self) -> f64 {
+        self.body.mixture().map_or(1.0, |mixture| mixture.contrast())
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {

@@ -57,6 +57,14 @@ impl Material for BeamBonds {
         vec![("youngs_modulus_1", material.youngs_modulus_1), ("youngs_modulus_2", material.youngs_modulus_2)]
     }
 
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        if self.parameters.edges.is_exact() {
+            return Ok(vec![("stiffness_factor", 1.0)]);
+        }
+        let hint = "leave out `edges` and `calibration`".into();
+        Err(("several materials need the edges `border` or `overlay`", hint))
+    }
+
     fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
         self.parameters.horizon_ratio = horizon_ratio;
     }
@@ -82,7 +90,8 @@ impl Material for BeamBonds {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let body = BeamBondOrthotropic::on_lattice(lattice, on.mirrors, self.parameters, &cuts);
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors));
+        let body = BeamBondOrthotropic::mixed(lattice, on.mirrors, self.parameters, &cuts, factors);
         Ok(AnyBody::Three(Box::new(body.map_err(self.refusal())?)))
     }
 

@@ -33,6 +33,14 @@ pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults
                 ),
             }
         }
+        if let Some(own) = material.thermal_expansion {
+            expansion::is_one(own, &path.key("thermal_expansion"), faults);
+        }
+        if material.stiffness_factor.is_some() {
+            faults
+                .error(path.key("stiffness_factor"), "`stiffness_factor` is of plates with fibres")
+                .hint("give the `youngs_modulus` of the members");
+        }
         if material.density.is_some() {
             faults
                 .error(path.key("density"), "`density` is that of all members, beside `model`")
@@ -100,11 +108,8 @@ pub(super) fn expansion(
     faults: &mut Faults,
 ) -> Option<f64> {
     let own = member.and_then(|member| of(case, member)?.thermal_expansion);
-    match own {
-        Some(own) => Some(own),
-        None => match expansion::of(case, false, path, faults)? {
-            Expansion::Alike(alpha) => Some(alpha),
-            Expansion::Fibres(_) => None,
-        },
+    match own.or_else(|| expansion::of(case, false, path, faults))? {
+        Expansion::Alike(alpha) => Some(alpha),
+        Expansion::Fibres(_) => None,
     }
 }

@@ -3,21 +3,17 @@
 use super::context::LoadContext;
 use super::eigenstrain::{self, Eigenstrain, EigenstrainPart, UnitStrain};
 use super::sums::BodyLoads;
-use crate::case::{Expansion, Temperature};
+use crate::case::Temperature;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::Fibres;
 use crate::scene::expansion;
 
-/// The strains of one kelvin: along x and y, their shear γ, and across the plane.
-fn in_plane(expansion: Expansion, fibres: Option<Fibres>) -> [f64; 4] {
-    match (expansion, fibres) {
-        (Expansion::Fibres([along, across]), Some(fibres)) => {
-            let (s, c) = fibres.angle.sin_cos();
-            let (x, y) = (along * c * c + across * s * s, along * s * s + across * c * c);
-            [x, y, 2.0 * s * c * (along - across), across]
-        }
-        (Expansion::Alike(alpha) | Expansion::Fibres([alpha, _]), _) => [alpha, alpha, 0.0, alpha],
-    }
+/// The directions in which materials of a body stretch by heat, each by its own number: strains along x and y, their shear γ, and
+/// across the plane.
+fn directions(fibres: Option<Fibres>) -> Vec<[f64; 4]> {
+    let Some(fibres) = fibres else { return vec![[1.0, 1.0, 0.0, 1.0]] };
+    let (s, c) = fibres.angle.sin_cos();
+    vec![[c * c, s * s, 2.0 * s * c, 0.0], [s * s, c * c, -2.0 * s * c, 1.0]]
 }
 
 /// Adds a change of temperature.
@@ -54,30 +50,31 @@ pub(crate) fn resolve(
         return;
     };
     let Some(model) = context.model else { return };
-    // Materials differ by a number, fibres have directions.
-    let (unit, base) = match expansion {
-        Expansion::Alike(alpha) => (Expansion::Alike(1.0), alpha),
-        fibres => (fibres, 1.0),
+    let unit = |[x, y, gamma, across]: [f64; 4]| {
+        let of = |component: &str| match component {
+            "xx" => x,
+            "yy" => y,
+            "zz" => across,
+            "xy" => gamma,
+            _ => 0.0,
+        };
+        UnitStrain::new(of, model, context.material)
     };
-    let [x, y, gamma, across] = in_plane(unit, context.material.fibres());
-    let of = |component: &str| match component {
-        "xx" => x,
-        "yy" => y,
-        "zz" => across,
-        "xy" => gamma,
-        _ => 0.0,
-    };
-    let Some(unit) = UnitStrain::new(of, model, context.material) else { return };
+    let units = directions(context.material.fibres()).into_iter().map(unit).collect::<Option<Vec<_>>>();
+    let Some(units) = units else { return };
     let mut change_of = vec![0.0; model.points()];
-    let mut free = change_of.clone();
+    let mut free = vec![change_of.clone(); units.len()];
     for p in points {
         match change.at(ground.body.position(p as usize)) {
             Ok(value) => {
                 let (number, other) =
                     (context.inputs.number(model, p), context.inputs.materials.of(p as usize));
-                let alpha = other.and_then(|other| other.thermal_expansion).unwrap_or(base);
+                let own =
+                    other.and_then(|other| other.thermal_expansion).unwrap_or(expansion.along_and_across());
                 change_of[number as usize] = value;
-                free[number as usize] = alpha * value;
+                for (free, alpha) in free.iter_mut().zip(own) {
+                    free[number as usize] = alpha * value;
+                }
             }
             Err(reason) => {
                 faults.error(path.key("change"), reason);
@@ -90,8 +87,11 @@ pub(crate) fn resolve(
     }
     // Shears of fibres are alike on both sides of a mirror only where these lie along it, and then they are none.
     eigenstrain::give_images(&mut change_of, "", model);
-    eigenstrain::give_images(&mut free, "", model);
-    let own = Eigenstrain { change: change_of, parts: vec![EigenstrainPart { free, unit }] };
+    for free in &mut free {
+        eigenstrain::give_images(free, "", model);
+    }
+    let parts = free.into_iter().zip(units).map(|(free, unit)| EigenstrainPart { free, unit });
+    let own = Eigenstrain { change: change_of, parts: parts.collect() };
     eigenstrain::check("temperature", &own, context, path, faults);
     to.stretch(own);
 }

@@ -3,11 +3,12 @@
 use super::ground::Ground;
 use super::model_inputs::ModelInputs;
 use super::modulus;
-use crate::case::{Modulus, RegionMaterial};
+use crate::case::{Expansion, Modulus, RegionMaterial};
 use crate::diagnostic::{Faults, JsonPath, positive, root};
 use crate::input::Folder;
 use crate::memory;
 use crate::model::{Mixture, OtherMaterial, admissible};
+use crate::scene::expansion;
 use peristat_assembly::body::{SquareLattice, plus};
 
 /// Memory of a bond with a factor of its own, bytes, while it is made and on coarser lattices.
@@ -45,6 +46,9 @@ pub(crate) fn mixture(
         let own = |p: &u32| mixture.numbers[*p as usize] == number;
         let points: Vec<u32> = (0..mixture.numbers.len() as u32).filter(own).collect();
         check(given, &takes, &path, faults);
+        if let Some(own) = given.thermal_expansion.filter(|_| inputs.material.fibres().is_none()) {
+            expansion::is_one(own, &path.key("thermal_expansion"), faults);
+        }
         if case.fracture.is_none() {
             refuse_unbroken(given, &path, faults);
         }
@@ -53,7 +57,8 @@ pub(crate) fn mixture(
             youngs_modulus: None,
             poisson_ratio: given.poisson_ratio,
             shear_modulus: None,
-            thermal_expansion: given.thermal_expansion,
+            stiffness_factor: None,
+            thermal_expansion: given.thermal_expansion.map(Expansion::along_and_across),
             yield_stress: given.strengths.and_then(|own| own.yield_stress),
             density: given.density.filter(|own| positive(*own, "density", path.key("density"), faults)),
         };
@@ -84,6 +89,7 @@ fn modulus_of<'a>(
 ) -> (&'a mut Option<[f64; 2]>, Option<&'a Modulus>) {
     match key {
         "shear_modulus" => (&mut other.shear_modulus, given.shear_modulus.as_ref()),
+        "stiffness_factor" => (&mut other.stiffness_factor, given.stiffness_factor.as_ref()),
         _ => (&mut other.youngs_modulus, given.youngs_modulus.as_ref()),
     }
 }
@@ -171,6 +177,7 @@ fn check(given: &RegionMaterial, takes: &[(&'static str, f64)], path: &JsonPath,
         ("youngs_modulus", given.youngs_modulus.is_some()),
         ("poisson_ratio", given.poisson_ratio.is_some()),
         ("shear_modulus", given.shear_modulus.is_some()),
+        ("stiffness_factor", given.stiffness_factor.is_some()),
     ];
     for (key, _) in keys.into_iter().filter(|key| key.1) {
         if takes.iter().all(|of| of.0 != key) {

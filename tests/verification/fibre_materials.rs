@@ -1,0 +1,182 @@
+//! Plates of beam bonds whose regions are stiffer or softer: layers, discs, and heat that leaves no stress.
+
+use serde_json::{Value, json};
+
+/// A rectangle of graphite and epoxy around the middle of its sides, mm-N-MPa.
+fn plate([width, height]: [f64; 2], fibre_angle: f64, poisson_ratio_12: f64) -> Value {
+    json!({
+        "title": "fibres", "units": "mm-N-MPa",
+        "model": { "beam_bond_orthotropic": {
+            "youngs_modulus_1": 181000, "youngs_modulus_2": 10300, "poisson_ratio_12": poisson_ratio_12,
+            "shear_modulus_12": 7170, "fibre_angle": fibre_angle
+        } },
+        "body": { "rectangle": {
+            "from": [-0.5 * width, -0.5 * height], "size": [width, height], "spacing": 1
+        } },
+        "supports": [
+            { "at": { "x": 0.5 - 0.5 * width, "y": 0.5 - 0.5 * height }, "ux": 0, "uy": 0 },
+            { "at": { "x": 0.5 * width - 0.5, "y": 0.5 - 0.5 * height }, "uy": 0 }
+        ]
+    })
+}
+
+/// Stretches it by a stress of 100 on both sides.
+fn pull(case: &mut Value) {
+    let [right, left] = [("right", 100), ("left", -100)]
+        .map(|(edge, x)| json!({ "traction": { "edge": edge, "uniform": [x, 0] } }));
+    case["loads"] = json!([right, left]);
+}
+
+fn probes<const N: usize>(case: &Value) -> [f64; N] {
+    let summary = peristat::solve_text(&format!("{case:#}")).unwrap_or_else(|e| panic!("{e}")).summary;
+    let values: Vec<f64> = summary.probes.iter().map(|probe| probe.value).collect();
+    values.try_into().expect("as many probes")
+}
+
+#[test]
+fn a_plate_all_of_which_is_stiffer_moves_less() {
+    for (angle, edges) in [(0.0, "border"), (15.0, "border"), (45.0, "overlay")] {
+        let of = |factor: f64| {
+            let mut case = plate([24.0, 12.0], angle, 0.28);
+            case["model"]["beam_bond_orthotropic"]["edges"] = json!(edges);
+            case["materials"] = json!({ "all": { "stiffness_factor": factor } });
+            pull(&mut case);
+            case["probes"] = json!([
+                { "name": "u", "at": { "x": 11.5, "y": 5.5 }, "field": "ux" },
+                { "name": "strain", "at": { "x": 4.5, "y": 1.5 }, "field": "strain_xx" },
+                { "name": "stress", "at": { "x": 4.5, "y": 1.5 }, "field": "stress_xx" },
+                { "name": "energy", "at": { "x": 4.5, "y": 1.5 }, "field": "energy_density" }
+            ]);
+            probes::<4>(&case)
+        };
+        let (plain, stiff) = (of(1.0), of(3.0));
+        for (k, ratio) in [3.0, 3.0, 1.0, 3.0].into_iter().enumerate() {
+            let off = plain[k] / stiff[k] / ratio - 1.0;
+            assert!(off.abs() < 1e-11, "{angle} {k}: {off:e}"); // 2e-15
+        }
+    }
+}
+
+/// Two halves, without contraction: the elongation is that of springs in series.
+#[test]
+fn layers_in_series_lose_no_twentieth_of_a_spacing() {
+    for (angle, modulus) in [(0.0, 181_000.0), (90.0, 10_300.0)] {
+        for factor in [2.0, 10.0, 100.0, 1e-3] {
+            let mut case = plate([40.0, 20.0], angle, 0.0);
+            case["regions"] = json!({ "second": { "box": { "from": [0, -10], "to": [20, 10] } } });
+            case["materials"] = json!({ "other": { "at": "second", "stiffness_factor": factor } });
+            pull(&mut case);
+            case["probes"] = json!([
+                { "name": "right", "at": { "x": 18.5, "y": 0.5 }, "field": "ux" },
+                { "name": "left", "at": { "x": -18.5, "y": 0.5 }, "field": "ux" }
+            ]);
+            let [right, left] = probes::<2>(&case);
+            let strain = 100.0 / modulus;
+            let jump = right - left - strain * 18.5 * (1.0 + 1.0 / factor);
+            let spacings = jump / (strain * f64::max(1.0, 1.0 / factor));
+            assert!(spacings.abs() < 0.06, "{angle} {factor}: {spacings}");
+        }
+    }
+}
+
+/// A core between faces under a uniform strain: the force is that of springs side by side, and stresses know no interface.
+#[test]
+fn layers_side_by_side_share_a_force_by_their_moduli() {
+    for (angle, modulus) in [(0.0, 181_000.0), (90.0, 10_300.0)] {
+        for factor in [2.0, 10.0, 100.0] {
+            let mut case = plate([40.0, 20.0], angle, 0.0);
+            case["regions"] = json!({ "core": { "box": { "from": [-20, -5], "to": [20, 5] } } });
+            case["materials"] = json!({ "other": { "at": "core", "stiffness_factor": factor } });
+            case["supports"] = json!([
+                { "at": { "region": "left" }, "ux": 0 }, { "at": { "region": "right" }, "ux": 0.04 },
+                { "at": { "x": -19.5, "y": 0.5 }, "uy": 0 }
+            ]);
+            case["probes"] = json!([
+                { "name": "force", "at": { "region": "right" }, "field": "reaction_x" },
+                { "name": "inside", "at": { "x": 0.5, "y": 4.5 }, "field": "stress_xx" },
+                { "name": "outside", "at": { "x": 0.5, "y": 5.5 }, "field": "stress_xx" }
+            ]);
+            let [force, inside, outside] = probes::<3>(&case);
+            let stress = 1e-3 * modulus;
+            let off =
+                [force / (10.0 * stress * (1.0 + factor)), inside / (stress * factor), outside / stress];
+            // Measured 7e-5, at 90 degrees and a factor of 100.
+            assert!(off.iter().all(|off| (off - 1.0).abs() < 2e-4), "{angle} {factor}: {off:?}");
+        }
+    }
+}
+
+#[test]
+fn heat_alone_leaves_no_stress_whatever_is_stiffer() {
+    for angle in [0.0, 15.0, 30.0, 45.0] {
+        let mut case = plate([30.0, 20.0], angle, 0.28);
+        case["thermal_expansion"] = json!([2e-8, 2.25e-5]);
+        case["regions"] = json!({ "disc": { "disc": { "centre": [3, -2], "radius": 5 } } });
+        case["materials"] = json!({ "other": { "at": "disc", "stiffness_factor": 10 } });
+        case["loads"] = json!([{ "temperature": { "change": -100 } }]);
+        case["probes"] = json!([{ "name": "stress", "field": "von_mises", "of": "largest" }]);
+        let [stress] = probes::<1>(&case);
+        // E α ΔT of the disc is 2300.
+        assert!(stress < 1e-9, "{angle}: {stress:e}"); // 3e-12
+    }
+}
+
+/// Stresses of a disc of eight points per radius against finite elements of second order, 0.5 mm wide, whose nodes lie on its
+/// border, on the same square of 80 mm.
+#[test]
+fn a_disc_among_slanted_fibres_has_the_stress_of_finite_elements() {
+    // Contrast, and σxx, σyy and σxy at (2.5, 2.5); beside it what is found.
+    let elements = [
+        (10.0, [137.4425, 4.0, -5.131]), // 134.982, 4.588, -6.298
+        (0.1, [33.9737, 1.753, 5.9068]), // 34.484, 1.649, 5.874
+    ];
+    for (factor, expected) in elements {
+        let mut case = plate([80.0, 80.0], 30.0, 0.28);
+        case["regions"] = json!({ "disc": { "disc": { "centre": [0, 0], "radius": 8 } } });
+        case["materials"] = json!({ "other": { "at": "disc", "stiffness_factor": factor } });
+        pull(&mut case);
+        let probe = |field: &str| json!({ "name": field, "at": { "x": 2.5, "y": 2.5 }, "field": field });
+        case["probes"] = json!(["stress_xx", "stress_yy", "stress_xy"].map(probe));
+        let found = probes::<3>(&case);
+        for (found, exact) in found.iter().zip(expected) {
+            assert!((found - exact).abs() < 0.02 * expected[0], "{factor}: {found} for {exact}");
+        }
+    }
+}
+
+/// Materials have expansions of their own, one or two, whatever that of the case is.
+#[test]
+fn a_material_expands_by_its_own_numbers() {
+    for (given, expected) in [(json!([1e-6, 3e-5]), [1e-6, 3e-5]), (json!(2e-5), [2e-5, 2e-5])] {
+        for base in [json!([2e-8, 2.25e-5]), json!(1.2e-5)] {
+            let mut case = plate([20.0, 10.0], 30.0, 0.28);
+            case["thermal_expansion"] = base;
+            case["materials"] = json!({ "all": { "stiffness_factor": 2, "thermal_expansion": given } });
+            case["loads"] = json!([{ "temperature": { "change": 100 } }]);
+            case["probes"] = json!([
+                { "name": "along", "at": { "x": 0.5, "y": 0.5 }, "field": "strain_11" },
+                { "name": "across", "at": { "x": 0.5, "y": 0.5 }, "field": "strain_22" }
+            ]);
+            let found = probes::<2>(&case);
+            for (found, alpha) in found.iter().zip(expected) {
+                assert!((found - 100.0 * alpha).abs() < 1e-14, "{given}: {found:e}"); // 4e-18
+            }
+        }
+    }
+}
+
+#[test]
+fn a_heated_part_between_walls_has_the_stress_of_its_own_modulus() {
+    let mut case = plate([30.0, 10.0], 0.0, 0.28);
+    case["thermal_expansion"] = json!([2e-8, 2.25e-5]);
+    case["materials"] = json!({ "all": { "stiffness_factor": 4, "thermal_expansion": [1e-6, 3e-5] } });
+    case["supports"] = json!([
+        { "at": { "region": "left" }, "ux": 0 }, { "at": { "region": "right" }, "ux": 0 },
+        { "at": { "x": 0.5, "y": 0.5 }, "uy": 0 }
+    ]);
+    case["loads"] = json!([{ "temperature": { "change": 100 } }]);
+    case["probes"] = json!([{ "name": "stress", "at": { "x": 0.5, "y": 0.5 }, "field": "stress_xx" }]);
+    let [stress] = probes::<1>(&case);
+    let expected = -4.0 * 181_000.0 * 1e-6 * 100.0;
+    assert!((stress / expected - 1.0).abs() < 1e-4, "{stress} for {expected}");
+}
