@@ -1,5 +1,7 @@
 //! Plates of beam bonds whose regions are stiffer or softer: layers, discs, and heat that leaves no stress.
 
+use crate::support::breaking;
+use crate::support::plane::refusal;
 use serde_json::{Value, json};
 
 /// A rectangle of graphite and epoxy around the middle of its sides, mm-N-MPa.
@@ -179,4 +181,60 @@ fn a_heated_part_between_walls_has_the_stress_of_its_own_modulus() {
     let [stress] = probes::<1>(&case);
     let expected = -4.0 * 181_000.0 * 1e-6 * 100.0;
     assert!((stress / expected - 1.0).abs() < 1e-4, "{stress} for {expected}");
+}
+
+/// A strip of two halves that is torn apart along their interface, which takes a tenth of the energy of the halves: bonds that broke,
+/// their energy over that of a crack, and by how much energies are out of balance.
+fn torn(fibre_angle: f64, factor: f64, strategy: &str) -> (usize, f64, f64) {
+    let rates = |part: f64| json!({ "fibre_energy_release_rate": 30.0 * part, "matrix_energy_release_rate": 3.0 * part });
+    let mut case = json!({
+        "title": "torn", "units": "mm-N-MPa",
+        "model": { "beam_bond_orthotropic": {
+            "youngs_modulus_1": 40000, "youngs_modulus_2": 10000, "poisson_ratio_12": 0.25, "shear_modulus_12": 4000,
+            "fibre_angle": fibre_angle
+        } },
+        "body": { "rectangle": { "size": [24, 16], "spacing": 1 } },
+        "regions": { "upper": { "box": { "from": [0, 8], "to": [24, 16] } } },
+        "supports": [
+            { "at": { "region": "bottom" }, "ux": 0, "uy": 0 }, { "at": { "region": "top" }, "ux": 0, "uy": 1 }
+        ],
+        "probes": [{ "name": "pull", "at": { "region": "top" }, "field": "reaction_y" }],
+        "fracture": { "critical": rates(1.0), "strategy": strategy, "load": "pull", "stop_below": 1e-6 }
+    });
+    case["materials"] =
+        json!({ "other": { "at": "upper", "stiffness_factor": factor, "interface": rates(0.1) } });
+    let (events, report) = breaking::solve(&case);
+    let rate = if fibre_angle == 0.0 { 0.3 } else { 3.0 };
+    let energy = events.last().expect("it breaks").bond_energy / (24.0 * rate);
+    (breaking::broke(&report).broken_bonds, energy, breaking::imbalance(&events))
+}
+
+#[test]
+fn an_interface_of_fibres_takes_its_energy_whatever_is_stiffer() {
+    // Bonds take a little more than stretch alone: they shear and bend.
+    for (angle, factor, expected) in [(0.0, 1.001, 1.120), (0.0, 10.0, 1.076), (90.0, 10.0, 1.048)] {
+        let (broken, energy, imbalance) = torn(angle, factor, "worst");
+        // Bonds across a row are 17 per column.
+        assert!((400..=420).contains(&broken), "{angle} {factor}: {broken}");
+        assert!((energy - expected).abs() < 5e-3, "{angle} {factor}: {energy}");
+        assert!(imbalance < 1e-10, "{angle} {factor}: {imbalance:e}");
+    }
+    let (_, _, imbalance) = torn(0.0, 10.0, "batch");
+    assert!(imbalance < 1e-7, "{imbalance:e}");
+}
+
+#[test]
+fn a_material_is_as_much_tougher_along_the_fibres_as_across_them() {
+    let with = |critical: Value| {
+        let mut case = plate([20.0, 10.0], 0.0, 0.28);
+        case["regions"] = json!({ "part": { "box": { "from": [0, -5], "to": [10, 5] } } });
+        case["materials"] = json!({ "other": { "at": "part", "critical": critical } });
+        pull(&mut case);
+        case["probes"] = json!([{ "name": "u", "at": { "x": 9.5, "y": 0.5 }, "field": "ux" }]);
+        let usual = json!({ "fibre_stretch": 0.02, "matrix_stretch": 0.01 });
+        case["fracture"] = json!({ "critical": usual, "load": "u" });
+        refusal(&case)
+    };
+    let message = with(json!({ "fibre_stretch": 0.02, "matrix_stretch": 0.02 }));
+    assert!(message.contains("bonds along the fibres are other times as tough"), "{message}");
 }

@@ -168,7 +168,7 @@ fn what_comes_off_takes_its_energy_along() {
 #[test]
 fn beam_bonds_break_by_cold_as_by_motions() {
     let sides = ["left", "right", "top", "bottom"];
-    let of = |loads: Value, ux: Value, uy: Value| {
+    let of = |factor: Value, loads: Value, ux: Value, uy: Value| {
         let held: Vec<Value> = sides
             .iter()
             .map(|side| json!({ "at": { "region": side }, "ux": ux, "uy": uy, "phi": 0 }))
@@ -181,10 +181,15 @@ fn beam_bonds_break_by_cold_as_by_motions() {
             "poisson_ratio_12": 0.32, "shear_modulus_12": 4000, "thickness": 0.6, "fibre_angle": 45 } });
         case["thermal_expansion"] = json!([ALPHA, ALPHA]);
         case["cracks"] = json!([ { "name": "crack", "path": [[6, 7.7], [14, 7.7]] } ]);
+        case["regions"] = json!({ "part": { "box": { "from": [10, 4], "to": [20, 12] } } });
+        case["materials"] =
+            json!({ "other": { "at": "part", "stiffness_factor": factor, "thermal_expansion": ALPHA } });
         solve(&case).0
     };
-    let cold = of(json!([ { "temperature": { "change": -500 } } ]), json!(0), json!(0));
-    let pulled = of(json!([]), json!("0.005*x"), json!("0.005*y"));
-    let found = difference(&cold, &pulled);
-    assert!(found < 1e-9 && cold.len() > 10, "{} {found:e}", cold.len());
+    for factor in [json!(1), json!(3), json!("1 + x/20")] {
+        let cold = of(factor.clone(), json!([ { "temperature": { "change": -500 } } ]), json!(0), json!(0));
+        let pulled = of(factor, json!([]), json!("0.005*x"), json!("0.005*y"));
+        let found = difference(&cold, &pulled);
+        assert!(found < 1e-9 && cold.len() > 10, "{} {found:e}", cold.len());
+    }
 }

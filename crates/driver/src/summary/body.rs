@@ -191,7 +191,9 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
     // Bonds of a stiffer point break at a smaller stretch.
     let stretches = |other: &OtherMaterial, of: &dyn Fn(&CriticalStretch, f64) -> f64| {
         let [least, greatest] = other.youngs_modulus.unwrap_or([youngs; 2]).map(|e| e / youngs);
-        let (critical, base) = (critical?, critical?.by_offset().first()?);
+        // With fibres there are two.
+        let critical = critical.filter(|_| scene.material().fibres().is_none())?;
+        let base = critical.by_offset().first()?;
         Some(ValueSummary::from([greatest, least].map(|modulus| base * of(critical, modulus))))
     };
     let of = |(other, number): (&OtherMaterial, u32)| RegionSummary {

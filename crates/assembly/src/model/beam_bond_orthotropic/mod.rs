@@ -29,4 +29,4 @@ pub use material::OrthotropicMaterial;
 pub use moments::Moments;
 pub use neighbourhood::BeamNeighbourhood;
 pub use parameters::{OrthotropicParameters, Start};
-pub use toughness::{CriticalStretches, ReleaseRates};
+pub use toughness::{CriticalStretches, ReleaseRates, crossing_bonds};

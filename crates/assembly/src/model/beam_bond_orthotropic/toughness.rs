@@ -1,7 +1,8 @@
 //! Critical stretches of bonds along the fibres and of all others, from energy release rates.
 
-use super::super::plane::toughness;
+use super::super::plane::toughness::{self, CrossingBonds};
 use super::{BeamNeighbourhood, OrthotropicError, OrthotropicMaterial};
+use crate::body::Cell;
 
 /// Energy release rates of cracks, J/m².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +20,15 @@ pub struct CriticalStretches {
     pub fibre: f64,
     /// Of all other bonds.
     pub matrix: f64,
+}
+
+/// The bonds that cracks along interfaces cut, along rows and along columns alike.
+pub fn crossing_bonds(bonds: &BeamNeighbourhood) -> CrossingBonds {
+    let along_rows = bonds.offsets().iter().copied();
+    let along_columns = along_rows.clone().map(|[x, y, z]| [y, x, z]);
+    let offsets: Vec<Cell> = along_rows.chain(along_columns).collect();
+    let stretch: Vec<f64> = bonds.weights().iter().map(|[a, ..]| *a).collect();
+    CrossingBonds::new(&stretch.repeat(2), &offsets)
 }
 
 impl CriticalStretches {

@@ -8,8 +8,11 @@ use super::{BeamBonds, NAME, Orthotropic, critical, refusal, resolve, words};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::Cell;
-use peristat_assembly::model::beam_bond_orthotropic::{BeamBondOrthotropic, OrthotropicError};
+use peristat_assembly::model::beam_bond_orthotropic::{
+    BeamBondOrthotropic, BeamNeighbourhood, OrthotropicError, crossing_bonds,
+};
 use peristat_assembly::model::plane::Edges;
+use peristat_assembly::model::plane::toughness::CrossingBonds;
 use std::sync::Arc;
 
 impl BeamBonds {
@@ -118,6 +121,10 @@ impl Material for BeamBonds {
         faults: &mut Faults,
     ) -> Option<CriticalStretches> {
         critical::stretches(given, &self.parameters, on, path, faults)
+    }
+
+    fn crossing_bonds(&self) -> Option<CrossingBonds> {
+        Some(crossing_bonds(&BeamNeighbourhood::new(&self.parameters).ok()?))
     }
 
     fn warn(&self, _: &Resolved, faults: &mut Faults) {

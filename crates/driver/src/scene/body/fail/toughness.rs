@@ -15,20 +15,38 @@ use peristat_assembly::model::plane::{ToughMaterials, Toughness};
 struct Base<'a> {
     material: &'a dyn Material,
     on: OnGround,
-    /// Critical strains of the base material, with their defaults, and its stretch.
+    /// Critical strains of the base material, with their defaults, and its stretches by offset.
     critical: &'a Critical,
-    stretch: f64,
+    stretches: &'a [f64],
+}
+
+/// Largest part by which the ratios of stretches along and across fibres differ that count as one.
+const ALIKE: f64 = 1e-9;
+
+/// Whether energy release rates are given.
+fn by_energy(given: &Critical) -> bool {
+    let rates =
+        [given.energy_release_rate, given.fibre_energy_release_rate, given.matrix_energy_release_rate];
+    rates.iter().any(Option::is_some)
 }
 
 impl Base<'_> {
     fn toughness(&self, given: &Critical, path: &JsonPath, faults: &mut Faults) -> Option<Toughness> {
         let mut given = given.clone();
-        let by_energy = given.energy_release_rate.is_some();
+        let by_energy = by_energy(&given);
         if by_energy {
             given.formula = given.formula.or(self.critical.formula);
         }
         let found = self.material.critical(&mut given, &self.on, path, faults)?;
-        let ratio = found.by_offset.by_offset().first()? / self.stretch;
+        let ratios = found.by_offset.by_offset().iter().zip(self.stretches).map(|(own, base)| own / base);
+        let ratios: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
+        let ratio = *ratios.first()?;
+        if ratios.iter().any(|other| (other / ratio - 1.0).abs() > ALIKE) {
+            faults
+                .error(path.clone(), "bonds along the fibres are other times as tough as those across them")
+                .hint("give both the same multiple of what `fracture.critical` has");
+            return None;
+        }
         Some(if by_energy { Toughness::Energy(ratio * ratio) } else { Toughness::Stretch(ratio) })
     }
 
@@ -48,10 +66,7 @@ impl Base<'_> {
 
     /// That of a material that gives none.
     fn usual(&self) -> Toughness {
-        match self.critical.energy_release_rate {
-            Some(_) => Toughness::Energy(1.0),
-            None => Toughness::Stretch(1.0),
-        }
+        if by_energy(self.critical) { Toughness::Energy(1.0) } else { Toughness::Stretch(1.0) }
     }
 }
 
@@ -67,8 +82,7 @@ pub(super) fn of_materials(
         return Some(base);
     }
     let material = &*inputs.material;
-    let stretch = *base.by_offset.by_offset().first()?;
-    let of = Base { material, on: inputs.on_ground(case), critical, stretch };
+    let of = Base { material, on: inputs.on_ground(case), critical, stretches: base.by_offset.by_offset() };
     let (mut own, mut interfaces) = (vec![of.usual()], vec![None]);
     for (name, given) in &case.materials {
         let (toughness, interface) = of.of(given, &root("materials").key(name), faults)?;
