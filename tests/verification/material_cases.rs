@@ -281,3 +281,27 @@ fn other_bodies_have_one_material() {
     let said = refusal(&case);
     assert!(said.contains("path"), "{said}");
 }
+
+/// A rectangle of 40 by 20 turned to an angle, whose sides cut cells, held on one side and moved on the other: the reaction.
+fn turned(degrees: f64, factor: f64) -> f64 {
+    let (s, c) = degrees.to_radians().sin_cos();
+    let corner = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
+    let vertices = [[0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [0.0, 20.0]].map(corner);
+    let mut case = rectangle([1.0, 1.0], 1.0);
+    case["body"] = json!({ "outline": { "vertices": vertices, "spacing": 1 } });
+    case["materials"] = json!({ "all": { "youngs_modulus": factor } });
+    case["supports"] = json!([
+        { "at": { "region": "edge_4" }, "ux": 0, "uy": 0 }, { "at": { "region": "edge_2" }, "ux": 1e-3, "uy": 2e-3 }
+    ]);
+    case["probes"] = json!([{ "name": "force", "at": { "region": "edge_2" }, "field": "reaction_x" }]);
+    probes(&case)[0]
+}
+
+#[test]
+fn a_body_all_of_another_material_is_one_of_that_on_borders_that_cut_cells() {
+    // Slivers in corners, of whose triangles no corner is a point, had the base material: 6e-4 and 4e-5 off.
+    for degrees in [-30.0, 17.0, 45.0] {
+        let off = turned(degrees, 3.0) / turned(degrees, 1.0) / 3.0 - 1.0;
+        assert!(off.abs() < 1e-11, "{degrees}: {off:e}"); // 2e-14
+    }
+}

@@ -15,7 +15,7 @@ pub trait SmoothVectors {
     /// Adds `W factors` to `x`.
     fn add(&self, factors: &[f64], x: &mut [f64]);
 
-    /// Writes `Wᵀ r` over `products`.
+    /// Writes `Wᵀ r` over `products`, of vectors `r` that are zero where all of `W` are.
     fn project(&self, r: &[f64], products: &mut [f64]);
 }
 
@@ -75,7 +75,8 @@ impl<'a> Deflated<'a> {
     }
 }
 
-/// `Wᵀ A W`, by as many products with `A` as there are vectors of which one may couple to the same third.
+/// `Wᵀ A W`. Vectors whose numbers differ by more than twice the reach couple to none in common, so that one product with `A` serves
+/// all of these.
 fn coarse_matrix(
     operator: &dyn LinearOperator,
     vectors: &dyn SmoothVectors,

@@ -89,12 +89,20 @@ impl Library {
         let weighs = ["loads", "load_cases"].iter().filter_map(|key| case.get(*key)).any(weighs);
         let density = case.get("density").and_then(Value::as_f64);
         let ratio = model_of(case).and_then(|keys| keys.get("poisson_ratio")?.as_f64());
+        let has_fibres = model_of(case).is_some_and(|keys| keys.contains_key("fibre_angle"));
         let others = case.get_mut("materials").and_then(Value::as_object_mut);
         for (own, other) in others.into_iter().flatten() {
             let Some(keys) = other.as_object_mut() else { continue };
             let Some(name) = keys.get("material").and_then(Value::as_str) else { continue };
             let path = root("materials").key(own).key("material");
-            let Some(mut material) = self.material(name, path, &mut faults).copied() else { continue };
+            let found = self.material(name, path.clone(), &mut faults).copied();
+            let Some(mut material) = found else { continue };
+            if has_fibres {
+                faults
+                    .error(path, "materials of a library have no fibres")
+                    .hint("say how stiff the region is by its `stiffness_factor`");
+                continue;
+            }
             let heavier = material.density.filter(|own| weighs && Some(*own) != density);
             if !is_frame {
                 give(keys, [("density", heavier)]);

@@ -20,8 +20,6 @@ pub struct OtherMaterial {
     pub thermal_expansion: Option<[f64; 2]>,
     /// Mass per volume.
     pub density: Option<f64>,
-    /// Stress at which it yields.
-    pub yield_stress: Option<f64>,
 }
 
 /// The materials of a body.

@@ -206,13 +206,17 @@ fn with_soft_motions<'a, const D: usize>(
 ) -> Method<'a, D> {
     let Some(motions) = problem.soft_motions(system) else { return method };
     let begin = Instant::now();
+    let Method { preconditioner: factor, mut report, .. } = method;
     let preconditioner: Box<dyn Preconditioner + 'a> =
-        match Deflated::new(Box::new(Elementwise(system)), method.preconditioner, motions) {
-            Ok(deflated) => Box::new(deflated),
+        match Deflated::new(Box::new(Elementwise(system)), factor, motions) {
+            Ok(deflated) => {
+                report.reason += "; the softest waves, which its rounding hides, are solved for apart";
+                Box::new(deflated)
+            }
             Err((_, factor)) => factor,
         };
     timing.factor += begin.elapsed().as_secs_f64();
-    Method { preconditioner, ..method }
+    Method { preconditioner, report, ..method }
 }
 
 /// Points of a solid whose factor is worth its memory where nothing else converges.

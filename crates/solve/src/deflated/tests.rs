@@ -105,6 +105,19 @@ fn a_smooth_vector_comes_back_from_its_force() {
 }
 
 #[test]
+fn it_is_symmetric() {
+    let mut m = deflated(hats());
+    let [x, y] = [7, 11].map(|n| (0..SIZE).map(|k| (k * n % 13) as f64 - 6.0).collect::<Vec<f64>>());
+    let mut work = |x: &[f64], y: &[f64]| {
+        let mut z = vec![0.0; SIZE];
+        m.apply(x, &mut z);
+        z.iter().zip(y).map(|(a, b)| a * b).sum::<f64>()
+    };
+    let (first, second) = (work(&x, &y), work(&y, &x));
+    assert!((first / second - 1.0).abs() < 1e-12, "{first} {second}"); // 2e-15
+}
+
+#[test]
 fn gradients_need_fewer_iterations_and_find_the_same() {
     let solve = |m: &mut dyn Preconditioner| {
         let mut force: Vec<f64> = (0..SIZE).map(|k| 1.0 + (k % 7) as f64).collect();

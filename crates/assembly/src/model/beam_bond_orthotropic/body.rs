@@ -2,7 +2,8 @@
 
 use super::super::plane::{
     BorderShares, BreakingModel, COMPONENTS, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors,
-    Mixture, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, in_plane, rigid_motion,
+    Mixture, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, add_stress_work, calibration_error, in_plane,
+    rigid_motion,
 };
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
@@ -11,7 +12,7 @@ use crate::condition::Equation;
 use crate::model::solid::TENSOR;
 use crate::model::{BodyFields, BodyModel, Breakable, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A plate of beam bonds: unknowns `u`, `v` and `hθ` with the spacing h of its lattice.
 #[derive(Clone, Debug)]
@@ -21,6 +22,8 @@ pub struct BeamBondOrthotropic {
     compliance: Mat<3, 3>,
     components: [Component; 3],
     body: LatticeBody<3, 3, 4, BeamBond>,
+    /// The same of the base material alone, where some points are of others and a load asked for it.
+    even: OnceLock<Box<Self>>,
 }
 
 /// The unknowns of a point: those of the plane and its scaled rotation.
@@ -91,7 +94,14 @@ impl BeamBondOrthotropic {
         let neighbourhood = bonds.neighbourhood().clone();
         let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, Mixture::new(factors));
         let compliance = parameters.material.compliance_at(parameters.fibre_angle);
-        Ok(Self { parameters, compliance, components: components(&body.kind.bond), body })
+        let components = components(&body.kind.bond);
+        Ok(Self { parameters, compliance, components, body, even: OnceLock::new() })
+    }
+
+    /// The same with other bonds.
+    fn with(&self, body: LatticeBody<3, 3, 4, BeamBond>) -> Self {
+        let Self { parameters, compliance, components, .. } = *self;
+        Self { parameters, compliance, components, body, even: OnceLock::new() }
     }
 
     /// The parameters.
@@ -198,6 +208,19 @@ impl PlaneModel for BeamBondOrthotropic {
         self.body.add_strain_work(t, points, force);
     }
 
+    /// The forces of one stress on a border, with the moments that go with them, whatever the materials inside are: those of a
+    /// body of one material.
+    fn add_stress_load(
+        &self,
+        points: Option<&[usize]>,
+        stress_at: &(dyn Fn(usize, [f64; 2]) -> [f64; 3] + Sync),
+        force: &mut [f64],
+    ) {
+        let even = || Box::new(self.with(self.body.of_one_material()));
+        let model = if self.body.mixture().is_some() { self.even.get_or_init(even) } else { self };
+        add_stress_work(model, points, stress_at, force);
+    }
+
     fn energy_at_rest(&self, t: &[f64]) -> Option<f64> {
         Some(self.body.energy_at_rest(t))
     }
@@ -261,7 +284,7 @@ impl Model<3> for BeamBondOrthotropic {
 
 impl Solvable<3> for BeamBondOrthotropic {
     fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<3>>> {
-        Some(Box::new(Self { body: self.body.coarser(cuts)?, ..*self }))
+        Some(Box::new(self.with(self.body.coarser(cuts)?)))
     }
 
     fn breaking(&self) -> Option<Box<dyn BreakingModel<3>>> {

@@ -195,6 +195,17 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.ghosts.binary_search(&(point as u32)).is_ok()
     }
 
+    /// The body of the base material alone.
+    pub(in super::super) fn of_one_material(&self) -> Self {
+        Self::new(
+            self.lattice.clone(),
+            self.mirrors,
+            self.neighbourhood.clone(),
+            self.kind.clone(),
+            &self.cuts,
+        )
+    }
+
     /// The body at twice the spacing; none where joined sides leave no lattice for it.
     pub(in super::super) fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
         let mirrors = self.mirrors.coarser()?;

@@ -12,6 +12,9 @@ use std::sync::Arc;
 /// Modulus of a neighbour, over that of a point, below which it is of another material.
 const MUCH: f64 = 0.9;
 
+/// Cells between a triangle that a border cuts and the next point, at most.
+const FAR: i32 = 4;
+
 /// Moduli of the points of a lattice over those of the base material.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Mixture {
@@ -100,7 +103,7 @@ impl Mixture {
         let known: Vec<f64> = corners.into_iter().flatten().collect();
         let count = known.len() as f64;
         if known.iter().all(|factor| *factor == known[0]) {
-            return known.first().copied().unwrap_or(1.0);
+            return known.first().copied().unwrap_or_else(|| self.around(body, cells[0]));
         }
         let mean = known.iter().sum::<f64>() / count;
         let series = count / known.iter().map(|factor| 1.0 / factor).sum::<f64>();
@@ -112,6 +115,17 @@ impl Mixture {
         let cosine = (slope[0] * along[0] + slope[1] * along[1]) / steep;
         let across = if steep > 0.0 { (cosine * cosine).min(1.0) } else { 0.5 };
         1.0 / (across / series + (1.0 - across) / mean)
+    }
+
+    /// That of the points next to a cell that has none, such as in a sharp corner: the mean of the nearest ring of cells with points.
+    fn around(&self, body: (&SquareLattice, &Mirrors), [i, j, k]: Cell) -> f64 {
+        let ring = |width: i32| {
+            let cells = (-width..=width).flat_map(move |a| (-width..=width).map(move |b| [a, b]));
+            let own = cells.filter(move |[a, b]| a.abs().max(b.abs()) == width);
+            own.filter_map(|[a, b]| self.at(body, [i + a, j + b, k])).collect::<Vec<f64>>()
+        };
+        let nearest = (1..=FAR).map(ring).find(|known| !known.is_empty());
+        nearest.map_or(1.0, |known| known.iter().sum::<f64>() / known.len() as f64)
     }
 
     /// That of the lattice of twice the spacing: the mean of the points in every cell.

@@ -190,27 +190,37 @@ pub trait PlaneModel: BodyModel {
         stress_at: &(dyn Fn(usize, [f64; 2]) -> [f64; 3] + Sync),
         force: &mut [f64],
     ) {
-        let n = self.points();
-        // V_k S_k : E_k = (C⁻¹ S_k)·(V_k σ_k)
-        let mut t = vec![0.0; 3 * n];
-        let mut enter = |point: usize, position: [f64; 2]| {
-            let stress = stress_at(point, position);
-            // The stress across a body of revolution is that along x.
-            let strain = self.strain_at(point, stress, stress[0]);
-            (0..3).for_each(|q| t[q * n + point] = strain[q]);
-        };
-        match (points, self.lattice()) {
-            (Some(points), _) => points.iter().for_each(|&p| enter(p, self.place(p))),
-            // Run by run: to find the cell of a point takes a search.
-            (None, Some((lattice, _))) => {
-                for run in lattice.runs() {
-                    for column in run.columns.clone() {
-                        enter(run.number(column), lattice.place_of(run.cell(column)));
-                    }
+        add_stress_work(self, points, stress_at, force);
+    }
+}
+
+/// Adds the forces of [`PlaneModel::add_stress_load`] by the strains of the points.
+pub(super) fn add_stress_work<M: PlaneModel + ?Sized>(
+    model: &M,
+    points: Option<&[usize]>,
+    stress_at: &(dyn Fn(usize, [f64; 2]) -> [f64; 3] + Sync),
+    force: &mut [f64],
+) {
+    let n = model.points();
+    // V_k S_k : E_k = (C⁻¹ S_k)·(V_k σ_k)
+    let mut t = vec![0.0; 3 * n];
+    let mut enter = |point: usize, position: [f64; 2]| {
+        let stress = stress_at(point, position);
+        // The stress across a body of revolution is that along x.
+        let strain = model.strain_at(point, stress, stress[0]);
+        (0..3).for_each(|q| t[q * n + point] = strain[q]);
+    };
+    match (points, model.lattice()) {
+        (Some(points), _) => points.iter().for_each(|&p| enter(p, model.place(p))),
+        // Run by run: to find the cell of a point takes a search.
+        (None, Some((lattice, _))) => {
+            for run in lattice.runs() {
+                for column in run.columns.clone() {
+                    enter(run.number(column), lattice.place_of(run.cell(column)));
                 }
             }
-            (None, None) => (0..n).for_each(|p| enter(p, self.place(p))),
         }
-        self.add_strain_work(&mut t, points, force);
+        (None, None) => (0..n).for_each(|p| enter(p, model.place(p))),
     }
+    model.add_strain_work(&mut t, points, force);
 }

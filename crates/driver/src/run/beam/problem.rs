@@ -42,7 +42,7 @@ where
     }
 
     fn soft_motions(&self, system: &System<D>) -> Option<Box<dyn SmoothVectors>> {
-        Some(Box::new(SoftMotions::new(self, system.constraints())?))
+        Some(Box::new(SoftMotions::new(self, system)?))
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {

@@ -3,6 +3,7 @@
 use crate::scene::BeamScene;
 use peristat_assembly::condition::Constraints;
 use peristat_assembly::model::timoshenko_beam::{Chain, PHI, W};
+use peristat_assembly::system::System;
 use peristat_solve::SmoothVectors;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,12 +11,12 @@ use std::ops::Range;
 /// Parts of a beam whose deflection is a cubic: of the waves that rounding hides, the shortest has a dozen half waves at a
 /// slenderness of 1e4 and a million points, and thirty at ten million.
 const PARTS: usize = 64;
-/// Supported points beyond which the spans are too short to be soft.
+/// Nodes of two ends and of supports beyond which the spans are too short to be soft.
 const MOST_HELD: usize = 32;
 /// The lowest eigenvalue of a cantilever, over EI/L⁴.
 const LOWEST: f64 = 12.4;
-/// How far the softest wave is below rounding where knowing it saves time. A cantilever of a million points takes 11 iterations in place
-/// of 3 at 70, in less time, and 16 at 600, in more.
+/// How many times the softest wave is below rounding where knowing it saves time. Without it a cantilever of a million points takes 11
+/// iterations at 70 times, which is less time than 3 with it; at 600 times it takes 16, which is more.
 const WORTH_KNOWING: f64 = 100.0;
 
 /// Cubic deflections between nodes, Hermite's, whose rotations are their slopes: waves of bending without shear.
@@ -45,17 +46,20 @@ struct Part {
 }
 
 impl SoftMotions {
-    /// Those of a single line; none where rounding hides no motion of it.
-    pub(super) fn new(scene: &BeamScene, constraints: &Constraints) -> Option<Self> {
+    /// Those of a single line; none where rounding hides no motion of it, where links join points of it, and where supports are as
+    /// close as bonds are long.
+    pub(super) fn new<const D: usize>(scene: &BeamScene, system: &System<D>) -> Option<Self> {
         let [chain] = scene.beam.chains() else { return None };
-        if !hides_motions(chain) {
+        let constraints = system.constraints();
+        let (points, first) = (scene.beam.points(), scene.beam.first_real(0));
+        let real = first..first + chain.points;
+        if !hides_motions(chain) || links_points(constraints, (points, &real)) {
             return None;
         }
-        let (points, first) = (scene.beam.points(), scene.beam.first_real(0));
         let held: Vec<usize> = constraints.rows().iter().map(|row| row.unknown).collect();
         let mut nodes = BTreeMap::from([0, chain.points - 1].map(|end| (end, [true; 2])));
         for (component, point) in held.iter().map(|unknown| (unknown / points, unknown % points)) {
-            if [W, PHI].contains(&component) && (first..first + chain.points).contains(&point) {
+            if [W, PHI].contains(&component) && real.contains(&point) {
                 nodes.entry(point - first).or_insert([true; 2])[component] = false;
             }
         }
@@ -64,7 +68,8 @@ impl SoftMotions {
         }
         let mut along = Vec::with_capacity(chain.points);
         chain.positions(chain.ghosts[0], chain.points, |_, x| along.push(x));
-        let (parts, count) = parts(&between(nodes), &along);
+        let nodes = between(nodes, system.reach())?;
+        let (parts, count) = parts(&nodes, &along);
         let unit = chain.line().length / PARTS as f64;
         (count > 0).then_some(Self { along, first, points, parts, count, held, unit })
     }
@@ -98,7 +103,7 @@ impl SmoothVectors for SoftMotions {
         self.count
     }
 
-    /// Those of a node and the next, and those of the one after it by bonds across the node between.
+    /// Two of each of three nodes in a row: bonds, which no part is shorter than, couple the first with the third across the second.
     fn reach(&self) -> usize {
         5
     }
@@ -152,19 +157,30 @@ fn hides_motions(chain: &Chain) -> bool {
     WORTH_KNOWING * LOWEST * bending * h / line.length.powi(4) < f64::EPSILON * shear / h
 }
 
-/// The nodes with more between them, whose motions are free.
-fn between(nodes: BTreeMap<usize, [bool; 2]>) -> Vec<(usize, [bool; 2])> {
+/// Whether an unknown of a real point depends on another point.
+fn links_points(constraints: &Constraints, (points, real): (usize, &Range<usize>)) -> bool {
+    constraints.rows().iter().any(|row| {
+        let own = row.unknown % points;
+        real.contains(&own) && row.masters.iter().any(|master| master.0 % points != own)
+    })
+}
+
+/// The nodes with more between them, whose motions are free; none where two are closer than bonds of some cells reach.
+fn between(nodes: BTreeMap<usize, [bool; 2]>, reach: usize) -> Option<Vec<(usize, [bool; 2])>> {
     let stops: Vec<(usize, [bool; 2])> = nodes.into_iter().collect();
-    let cells = stops.last().map_or(1, |last| last.0);
+    let cells = stops.last()?.0;
     let mut all = Vec::with_capacity(2 * PARTS);
     for pair in stops.windows(2) {
         let (from, own) = (pair[0].0, pair[1].0 - pair[0].0);
-        let number = (own * PARTS).div_ceil(cells).min(own);
+        let number = (own * PARTS).div_ceil(cells).min(own / reach);
+        if number == 0 {
+            return None;
+        }
         all.push(pair[0]);
         all.extend((1..number).map(|k| (from + own * k / number, [true; 2])));
     }
     all.extend(stops.last());
-    all
+    Some(all)
 }
 
 /// The parts between nodes, and how many of their motions are free.

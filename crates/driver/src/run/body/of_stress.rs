@@ -35,10 +35,13 @@ impl<'a> Medium<'a> {
         }
     }
 
-    /// Stress at which the material of a point yields.
-    fn yield_stress(&self, point: usize) -> Option<f64> {
-        let own = self.scene.and_then(|scene| scene.material_of(point)?.yield_stress);
-        own.or(self.strengths?.yield_stress)
+    /// Strengths of the material of a point.
+    fn strengths(&self, point: usize) -> Option<&'a Strengths> {
+        let own = self.scene.and_then(|scene| {
+            let material = scene.case.materials.get(&scene.material_of(point)?.name);
+            material?.strengths.as_ref()
+        });
+        own.or(self.strengths)
     }
 
     /// Stresses in the axes of the fibres.
@@ -50,9 +53,9 @@ impl<'a> Medium<'a> {
     fn index(
         &self,
         criterion: fn([f64; 3], &Strengths) -> Option<f64>,
-        stress: [f64; TENSOR],
+        (point, stress): (usize, [f64; TENSOR]),
     ) -> Option<f64> {
-        criterion(self.fibre_stress(stress)?, self.strengths?)
+        criterion(self.fibre_stress(stress)?, self.strengths(point)?)
     }
 }
 
@@ -130,13 +133,13 @@ pub(super) fn of_stress(
             let [x, y, gamma, ..] = model.strains_at(point, stress, across);
             Some(failure::in_fibre_axes([x, y, 0.5 * gamma], medium.fibre_angle?)[k])
         }
-        Origin::TsaiHill => medium.index(failure::tsai_hill, stress),
-        Origin::TsaiWu => medium.index(failure::tsai_wu, stress),
-        Origin::HashinFibre => medium.index(failure::hashin_fibre, stress),
-        Origin::HashinMatrix => medium.index(failure::hashin_matrix, stress),
+        Origin::TsaiHill => medium.index(failure::tsai_hill, (point, stress)),
+        Origin::TsaiWu => medium.index(failure::tsai_wu, (point, stress)),
+        Origin::HashinFibre => medium.index(failure::hashin_fibre, (point, stress)),
+        Origin::HashinMatrix => medium.index(failure::hashin_matrix, (point, stress)),
         Origin::Utilisation => match medium.fibre_angle {
-            Some(_) => medium.index(failure::utilisation, stress),
-            None => Some(von_mises(&tensor(medium, stress, across)) / medium.yield_stress(point)?),
+            Some(_) => medium.index(failure::utilisation, (point, stress)),
+            None => Some(von_mises(&tensor(medium, stress, across)) / medium.strengths(point)?.yield_stress?),
         },
         Origin::Stress("zz") => Some(component(model, "zz").map_or(across, |k| stress[k])),
         Origin::Stress(name) => Some(stress[component(model, name)?]),

@@ -9,6 +9,7 @@ use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::{PHI, TimoshenkoBeam};
 use peristat_assembly::stiffness::Spring;
 use peristat_assembly::system::{FreeMotion, System};
+use peristat_solve::SmoothVectors;
 
 /// Stiffness of springs that keep a mechanism in place, over EI/L³ of the softest line: it then moves far until something stops it.
 const SOFT: f64 = 1e-4;
@@ -165,6 +166,10 @@ where
         self.scene.states[state].loads.add_to(&self.scene.beam, force);
         // Its equations have their values.
         1.0
+    }
+
+    fn soft_motions(&self, system: &System<D>) -> Option<Box<dyn SmoothVectors>> {
+        self.scene.soft_motions(system)
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {

@@ -59,7 +59,6 @@ pub(crate) fn mixture(
             shear_modulus: None,
             stiffness_factor: None,
             thermal_expansion: given.thermal_expansion.map(Expansion::along_and_across),
-            yield_stress: given.strengths.and_then(|own| own.yield_stress),
             density: given.density.filter(|own| positive(*own, "density", path.key("density"), faults)),
         };
         if let Some((key, base)) = takes.first().copied()

@@ -63,7 +63,7 @@ pub(super) fn values(
         let refuse = |reason| {
             faults
                 .error(path.clone(), reason)
-                .hint("it must be greater than zero at all points of the material");
+                .hint("it must be greater than zero at all points of the material, which a table reaches");
         };
         all.map_err(refuse).ok()?
     };

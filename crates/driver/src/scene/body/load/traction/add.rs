@@ -93,8 +93,10 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
 
 /// Adds the load of one stress that has all tractions, if there is one.
 fn add_uniform(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLoads) -> bool {
-    // One stress has one linear displacement in one material alone; the rows of families know no materials.
-    if !context.inputs.materials.is_one() && !context.material.about().has_families {
+    // One stress has one linear displacement in one material alone. The rows of families know no materials, and bodies whose points
+    // turn take those of one material.
+    let knows_no_materials = context.material.about().has_families || context.material.has("phi");
+    if !context.inputs.materials.is_one() && !knows_no_materials {
         return false;
     }
     let Some(uniform) = uniform_stress::find(tractions, context) else { return false };
