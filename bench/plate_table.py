@@ -25,7 +25,7 @@ SIDE = 1000.0  # mm; all plates are so high
 class Plate:
     """Clamped on the left, sheared on the right; points over its height and its other features."""
 
-    def __init__(self, points, aspect=1, hole=False, crack=False, solver="auto", loads=1):
+    def __init__(self, points, aspect=1, hole=False, crack=False, solver="auto", loads=1, edges=None):
         spacing, width = SIDE / points, SIDE * aspect
         self.points = points * points * aspect
         rectangle = {"size": [width, SIDE], "spacing": spacing}
@@ -36,11 +36,13 @@ class Plate:
         self.case |= {"probes": [], "checks": []}
         if crack:
             self.case["cracks"] = [{"path": [[width / 2, 0.0], [width / 2, SIDE / 2]]}]
+        if edges:
+            self.case["model"]["bond_plane"]["edges"] = edges
         traction = lambda k: [{"traction": {"edge": "right", "uniform": [sin(k), -cos(k)]}}]
         if loads > 1:
             del self.case["loads"]
             self.case["load_cases"] = [{"name": f"load {k}", "loads": traction(k)} for k in range(loads)]
-        kind = f"{'hole_' * hole}{'crack_' * crack}{solver}"
+        kind = f"{'hole_' * hole}{'crack_' * crack}{solver}{edges or ''}"
         self.path = WORK / f"plate_{points}_{aspect}_{kind}_{loads}.json"
         self.path.write_text(json.dumps(self.case))
 
@@ -89,7 +91,7 @@ def kernel(report, rounds):
 
 def same_matrix(report):
     """The matrix that pyamg gets is the one peristat assembles, entry by entry, edges included."""
-    plate = Plate(14)
+    plate = Plate(14, edges="overlay")  # those of `plate_amg.py`
     size, spacing = (19, 13), 0.5
     body = {"rectangle": {"size": [n * spacing for n in size], "spacing": spacing}}
     plate.path.write_text(json.dumps(plate.case | {"body": body}))
@@ -143,7 +145,7 @@ def million(report, rounds):
 
 def against_pyamg(report, rounds, side=316):
     """A plate of 1e5 points; of pyamg set-up and solution alone, its matrix is there already."""
-    plate, theirs = Plate(side), []
+    plate, theirs = Plate(side, edges="overlay"), []
     setting = None
     if has("pyamg", "scipy"):
         same_matrix(report)
