@@ -80,7 +80,7 @@ fn layers_in_series_lose_no_twentieth_of_a_spacing() {
             let strain = 100.0 / modulus;
             let jump = right - left - strain * 18.5 * (1.0 + 1.0 / factor);
             let spacings = jump / (strain * f64::max(1.0, 1.0 / factor));
-            assert!(spacings.abs() < 0.06, "{angle} {factor}: {spacings}");
+            assert!(spacings.abs() < 0.06, "{angle} {factor}: {spacings}"); // 0.040 and 0.051 at a factor of 10
         }
     }
 }
@@ -184,7 +184,7 @@ fn a_heated_part_between_walls_has_the_stress_of_its_own_modulus() {
     case["probes"] = json!([{ "name": "stress", "at": { "x": 0.5, "y": 0.5 }, "field": "stress_xx" }]);
     let [stress] = probes::<1>(&case);
     let expected = -4.0 * 181_000.0 * 1e-6 * 100.0;
-    assert!((stress / expected - 1.0).abs() < 1e-4, "{stress} for {expected}");
+    assert!((stress / expected - 1.0).abs() < 5e-6, "{stress} for {expected}"); // 1.1e-6
 }
 
 /// A strip of two halves that is torn apart along their interface, which takes a tenth of the energy of the halves: bonds that broke,
@@ -240,7 +240,7 @@ fn a_material_is_as_much_tougher_along_the_fibres_as_across_them() {
         refusal(&case)
     };
     let message = with(json!({ "fibre_stretch": 0.02, "matrix_stretch": 0.02 }));
-    assert!(message.contains("bonds along the fibres are other times as tough"), "{message}");
+    assert!(message.contains("as many times tougher along the fibres as across them"), "{message}");
 }
 
 #[test]
@@ -264,9 +264,10 @@ fn a_region_is_judged_by_its_own_strengths() {
         probe(1.0, "tsai_wu")
     ]);
     let [plain, weak, fibre, weak_fibre, wu, weak_wu] = probes::<6>(&case);
-    // Under one stress a criterion of squares grows as its root says.
-    let off = [weak / plain / 2.0, weak_fibre / fibre, weak_wu / wu];
-    assert!((off[0] - 1.0).abs() < 1e-3 && off[1] > 1.9 && off[2] > 1.5, "{off:?}");
+    // Utilisation grows with the stress, and along the fibres, as strong in compression, both criteria with its square.
+    for (ratio, expected) in [(weak / plain, 2.0), (weak_fibre / fibre, 4.0), (weak_wu / wu, 4.0)] {
+        assert!((ratio / expected - 1.0).abs() < 1e-11, "{ratio} for {expected}"); // 1e-14
+    }
 }
 
 /// The smallest and the largest stress, and the mean one, under a stress of 100 on both sides of a plate with fibres at 30 degrees.

@@ -137,7 +137,7 @@ pub(crate) fn dense(matrix: &CsMat<f64>) -> Mat<f64> {
 
 /// Number of negative eigenvalues of a matrix that has none near zero.
 pub(crate) fn negative_eigenvalues(matrix: &Mat<f64>) -> usize {
-    let values = matrix.self_adjoint_eigenvalues(Side::Lower).unwrap();
+    let values = matrix.self_adjoint_eigenvalues(Side::Lower).expect("finite entries");
     assert!(values.iter().all(|value| value.abs() > 1.0e-9), "a test with an eigenvalue near zero");
     values.iter().filter(|value| **value < 0.0).count()
 }

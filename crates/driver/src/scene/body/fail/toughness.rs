@@ -43,7 +43,7 @@ impl Base<'_> {
         let ratio = *ratios.first()?;
         if ratios.iter().any(|other| (other / ratio - 1.0).abs() > ALIKE) {
             faults
-                .error(path.clone(), "bonds along the fibres are other times as tough as those across them")
+                .error(path.clone(), "a material is as many times tougher along the fibres as across them")
                 .hint("give both the same multiple of what `fracture.critical` has");
             return None;
         }
