@@ -22,7 +22,7 @@ pub use block_matrix::BlockMatrix;
 pub use block_rows::BlockRows;
 pub use bonds::{Bond, Bonds};
 pub use families::{Families, Family};
-pub use grid_bonds::{Exception, GridBonds, Offset};
+pub use grid_bonds::{Between, Exception, GridBonds, Offset, Tables};
 pub use grid_families::{FamilyRows, GridFamilies, GridFamily};
 pub use history_bonds::{Answer, BondAnswers, EndedBond, HistoryBond, HistoryBonds, Kinematics};
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};

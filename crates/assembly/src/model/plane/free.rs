@@ -44,8 +44,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn energy_at_rest(&self, t: &[f64]) -> f64 {
         let (free, mut energy) = (self.free_bonds(t), 0.0);
         let of = |moduli: &[f64; M], s: [f64; M]| (0..M).map(|m| 0.5 * moduli[m] * s[m] * s[m]).sum::<f64>();
-        self.bonds.for_each_bond(|class, ends, factor| {
-            energy += factor * of(self.bonds.moduli(class), free.measures(class, ends));
+        self.bonds.for_each_with_moduli(|class, ends, moduli| {
+            energy += of(&moduli, free.measures(class, ends));
         });
         match &self.border.by {
             By::Points => energy += of_triangles(self.triangles.list(), t),

@@ -152,7 +152,7 @@ impl PlateBending {
                 ([x / length, y / length], length, parameters.shear(1.0, length))
             };
             let directions: Vec<([f64; 2], f64, f64)> = offsets.iter().map(of_offset).collect();
-            bonds.for_each_bond(|offset, [i, j], factor| {
+            bonds.for_each_bond(|offset, [i, j], [factor, ..]| {
                 let (direction, length, unit) = directions[offset];
                 let weight = factor * offsets[offset].shear;
                 let turn = |k: usize| direction[k] * 0.5 * (u[(k + 1) * n + i] + u[(k + 1) * n + j]);

@@ -33,9 +33,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             (above.is_some() || below.is_some()).then_some(Sides { class, along, above, below })
         };
         all.clear();
-        all.extend(self.classes.iter().enumerate().filter_map(sides));
+        all.extend(self.offsets().iter().enumerate().filter_map(sides));
         let is_done = pulp::Arch::new().dispatch(ChunkForces::<D, M, B, R> {
-            classes: R::classes(self),
+            classes: R::classes_of(self, chunk),
             sides: all,
             u,
             first: chunk.first as usize,
@@ -67,16 +67,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             from_fn(|c| &u[c][from..from + range.len()])
         };
         for sides in sides {
-            let class = &R::classes(self)[sides.class as usize];
+            let class = &R::classes_of(self, chunk)[sides.class as usize];
             let above = sides.above.map(|number| (number, there(sides.along)));
             if let Some((number, range)) = above.filter(|of| !of.1.is_empty()) {
                 let ends = [&at(first, &range), &at(number, &range)];
-                one_side::<D, M, B, R, false>(class, ends, None, range.start as usize, forces);
+                one_side::<D, M, B, R, false>(class, ends, [None; M], range.start as usize, forces);
             }
             let below = sides.below.map(|number| (number, there(-sides.along)));
             if let Some((number, range)) = below.filter(|of| !of.1.is_empty()) {
                 let ends = [&at(number, &range), &at(first, &range)];
-                one_side::<D, M, B, R, true>(class, ends, None, range.start as usize, forces);
+                one_side::<D, M, B, R, true>(class, ends, [None; M], range.start as usize, forces);
             }
         }
     }

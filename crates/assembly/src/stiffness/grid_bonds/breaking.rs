@@ -1,5 +1,6 @@
 //! Bonds that are measured one by one, and broken.
 
+use super::precision::Precision;
 use super::shares::measure;
 use super::{CHUNK, GridBonds};
 use crate::body::plus;
@@ -13,8 +14,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     pub fn for_each_measured(&self, u: &[f64], mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
         let u = planes::<D, _>(u);
         for chunk in self.chunks.all() {
-            for (index, class) in self.classes.iter().enumerate() {
-                let factors = self.chunks.factors_of(chunk, index, 0);
+            for (index, class) in f64::classes_of(self, chunk).iter().enumerate() {
                 self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
                     let (k, width) = ((columns.start - chunk.from) as usize, columns.len());
                     let own = chunk.first as usize + k;
@@ -25,7 +25,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                         measure::<D, M, B, f64>(class, m, [&lower, &upper], &mut s[m][..width]);
                     }
                     for l in 0..width {
-                        if factors.is_none_or(|f| f[k + l] != 0.0) {
+                        if self.has(chunk, index, k + l) {
                             visit(index, [own + l, other + l], from_fn(|m| s[m][l]));
                         }
                     }
@@ -36,17 +36,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 
     /// One bond, by index of its offset and lower point; none where there is no such bond.
     pub fn bond(&self, offset: usize, lower: usize) -> Option<Bond<D, M>> {
-        let class = &self.classes[offset];
-        let upper = self.lattice.number(plus(self.lattice.cell(lower), class.step))?;
         let (chunk, k) = self.chunks.of(lower);
-        let factor = self.chunks.factor(chunk, offset, k);
+        let class = &f64::classes_of(self, chunk)[offset];
+        let upper = self.lattice.number(plus(self.lattice.cell(lower), class.step))?;
         let mean: Mat<M, D> = class.half_mean.map(|row| row.map(|v| 2.0 * v));
         let bond = Bond {
             points: [lower as u32, upper as u32],
             rows: Rows { difference: class.difference, mean },
-            moduli: class.modulus.map(|c| factor * c),
+            moduli: self.moduli_of(chunk, offset, k),
         };
-        (factor != 0.0).then_some(bond)
+        self.has(chunk, offset, k).then_some(bond)
     }
 
     /// Removes bonds, by index of their offset and lower point; those that are not there are ignored.

@@ -1,6 +1,7 @@
-//! Points in chunks: stretches of at most 64 points of one row, their neighbours, and the factors of exceptional bonds.
+//! Points in chunks: stretches of at most 64 points of one row whose bonds have one table of moduli, their neighbours, and the
+//! factors of exceptional bonds.
 
-use crate::body::{Cell, SquareLattice, plus};
+use crate::body::{Cell, SquareLattice};
 use std::ops::Range;
 
 /// Points per chunk: the inner loops run over one chunk of one offset.
@@ -29,8 +30,12 @@ pub(super) struct Chunk {
     pub(super) line: [i32; 2],
     pub(super) from: i32,
     pub(super) width: u32,
+    /// Which table has the moduli of the bonds of its points.
+    table: u8,
     /// Place of its factors in the table, where some are not one.
     factors: u32,
+    /// Whether every measure of a bond has a factor.
+    is_spread: bool,
     /// What it has beside it, where that is simple.
     pub(super) beside: Option<Beside>,
     /// Whether its points have all neighbours within the reach.
@@ -55,6 +60,11 @@ impl Chunk {
     pub(super) fn is_plain(&self) -> bool {
         self.factors == NONE
     }
+
+    /// Which table has the moduli of the bonds of its points.
+    pub(super) fn table(&self) -> usize {
+        usize::from(self.table)
+    }
 }
 
 /// The chunks of a lattice.
@@ -68,16 +78,19 @@ pub(super) struct Chunks {
     /// Place of the own line among those within the reach.
     middle: usize,
     classes: usize,
+    /// Measures of a bond.
+    measures: usize,
     /// Per chunk with simple lines beside it, layer `-layers..=layers` and row `-reach..=reach`: number of the point in the chunk's
     /// first column; none where there is no such line.
     lines: Vec<u32>,
     /// Per exceptional chunk, `[offset][upwards or downwards][point]`: factors of the bonds of its points as the lower
-    /// and as the upper one.
+    /// and as the upper one. Where measures of a bond have factors of their own, `[offset][upwards or downwards][measure][point]`.
     factors: Vec<f64>,
 }
 
 impl Chunks {
-    pub(super) fn new(lattice: &SquareLattice, steps: &[Cell], exceptions: &[Exception]) -> Self {
+    /// `tables` has the table of every point, nothing where there is one.
+    pub(super) fn new(lattice: &SquareLattice, (steps, measures): (&[Cell], usize), tables: &[u8]) -> Self {
         let reach = steps.iter().flat_map(|[a, b, _]| [a.abs(), b.abs()]).max().unwrap_or(0);
         let layers = steps.iter().map(|step| step[2].abs()).max().unwrap_or(0);
         let mut chunks = Self {
@@ -87,11 +100,16 @@ impl Chunks {
             middle: (layers * (2 * reach + 1) + reach) as usize,
             lines: Vec::new(),
             classes: steps.len(),
+            measures,
             factors: Vec::new(),
         };
         for run in lattice.runs() {
-            for from in run.columns.clone().step_by(CHUNK) {
-                let width = (run.columns.end - from).min(CHUNK as i32);
+            let mut from = run.columns.start;
+            while from < run.columns.end {
+                let own = &tables[tables.len().min(run.number(from))..];
+                let most = (run.columns.end - from).min(CHUNK as i32);
+                let differs = own.iter().take(most as usize).position(|table| *table != own[0]);
+                let width = differs.map_or(most, |width| width as i32);
                 let columns = from..from + width;
                 let beside = chunks.beside(lattice, run.line(), &columns);
                 let is_inner = beside.is_some_and(|beside| chunks.are_all(&beside));
@@ -100,16 +118,13 @@ impl Chunks {
                     line: run.line(),
                     from,
                     width: width as u32,
+                    table: own.first().copied().unwrap_or(0),
                     factors: NONE,
+                    is_spread: false,
                     beside,
                     is_inner,
                 });
-            }
-        }
-        for e in exceptions.iter().filter(|e| e.factor != 1.0) {
-            if let Some(upper) = lattice.number(plus(lattice.cell(e.lower), steps[e.offset])) {
-                chunks.multiply(2 * e.offset, e.lower, e.factor);
-                chunks.multiply(2 * e.offset + 1, upper, e.factor);
+                from += width;
             }
         }
         chunks
@@ -172,7 +187,25 @@ impl Chunks {
             chunk.factors = self.factors.len() as u32;
             self.factors.resize(self.factors.len() + 2 * self.classes * CHUNK, 1.0);
         }
-        self.factors[chunk.factors as usize + plane * CHUNK + point - chunk.first as usize] *= factor;
+        let (chunk, k) = (self.all[index], point - self.all[index].first as usize);
+        let planes = if chunk.is_spread { self.measures } else { 1 };
+        for plane in plane * planes..(plane + 1) * planes {
+            self.factors[chunk.factors as usize + plane * CHUNK + k] *= factor;
+        }
+    }
+
+    /// Gives every measure of a bond a factor of its own; before any bond of the chunk gets one for all.
+    pub(super) fn spread(&mut self, plane: usize, point: usize, factors: &[f64]) {
+        let index = self.index_of(point);
+        let chunk = &mut self.all[index];
+        if chunk.factors == NONE {
+            (chunk.factors, chunk.is_spread) = (self.factors.len() as u32, true);
+            self.factors.resize(self.factors.len() + 2 * self.classes * self.measures * CHUNK, 1.0);
+        }
+        let first = chunk.factors as usize + point - chunk.first as usize;
+        for (plane, factor) in (plane * self.measures..).zip(factors) {
+            self.factors[first + plane * CHUNK] = *factor;
+        }
     }
 
     fn index_of(&self, point: usize) -> usize {
@@ -194,16 +227,25 @@ impl Chunks {
         self.all.chunks(PART)
     }
 
-    /// Factor of the bond of an offset whose lower point is the k-th of a chunk.
-    pub(super) fn factor(&self, chunk: &Chunk, offset: usize, k: usize) -> f64 {
-        self.factors_of(chunk, offset, 0).map_or(1.0, |factors| factors[k])
+    /// Factor of a measure of the bond of an offset whose lower point is the k-th of a chunk.
+    pub(super) fn factor(&self, chunk: &Chunk, (offset, measure): (usize, usize), k: usize) -> f64 {
+        self.factors_of(chunk, (offset, 0), measure).map_or(1.0, |factors| factors[k])
     }
 
-    /// Factors of the bonds of an offset, upwards (0) or downwards (1) from the points of a chunk.
+    /// Factors of a measure of the bonds of an offset, upwards (0) or downwards (1) from the points of a chunk.
     #[inline(always)]
-    pub(super) fn factors_of(&self, chunk: &Chunk, offset: usize, side: usize) -> Option<&[f64; CHUNK]> {
-        let start = chunk.factors as usize + (2 * offset + side) * CHUNK;
-        if chunk.factors == NONE { None } else { self.factors[start..].first_chunk() }
+    pub(super) fn factors_of(
+        &self,
+        chunk: &Chunk,
+        (offset, side): (usize, usize),
+        measure: usize,
+    ) -> Option<&[f64; CHUNK]> {
+        if chunk.factors == NONE {
+            return None;
+        }
+        let plane = 2 * offset + side;
+        let plane = if chunk.is_spread { plane * self.measures + measure } else { plane };
+        self.factors[chunk.factors as usize + plane * CHUNK..].first_chunk()
     }
 
     /// Largest offset, rows or columns.

@@ -72,15 +72,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// Any chunk: stretch by stretch of existing neighbours, above and below.
     #[inline(always)]
     fn ragged<R: Precision>(&self, chunk: &Chunk, u: &[&[R]; D], forces: &mut Forces<D, R>) {
-        for (index, class) in R::classes(self).iter().enumerate() {
+        for (index, class) in R::classes_of(self, chunk).iter().enumerate() {
             for (side, step) in [(0, class.step), (1, class.step.map(|k| -k))] {
-                let factors = self.chunks.factors_of(chunk, index, side);
+                let factors: [Option<&[f64; CHUNK]>; M] =
+                    from_fn(|m| self.chunks.factors_of(chunk, (index, side), m));
                 self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
                     let k = (columns.start - chunk.from) as usize;
                     let (own, width) = (chunk.first as usize + k, columns.len());
                     let own: [&[R]; D] = from_fn(|c| &u[c][own..own + width]);
                     let other: [&[R]; D] = from_fn(|c| &u[c][other..other + width]);
-                    let factors = factors.map(|f| &f[k..k + width]);
+                    let factors = factors.map(|f| f.map(|f| &f[k..k + width]));
                     if side == 0 {
                         one_side::<D, M, B, R, false>(class, [&own, &other], factors, k, forces);
                     } else {
@@ -98,7 +99,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 pub(super) fn one_side<const D: usize, const M: usize, B: BondModel<D, M>, R: Real, const UPPER: bool>(
     class: &Class<D, M, R>,
     [lower, upper]: [&[&[R]; D]; 2],
-    factors: Option<&[f64]>,
+    factors: [Option<&[f64]>; M],
     k: usize,
     forces: &mut Forces<D, R>,
 ) {
@@ -107,7 +108,7 @@ pub(super) fn one_side<const D: usize, const M: usize, B: BondModel<D, M>, R: Re
         let sigma = &mut sigma[..lower[0].len()];
         measure::<D, M, B, R>(class, m, [lower, upper], sigma);
         sigma.iter_mut().for_each(|s| *s = *s * class.modulus[m]);
-        if let Some(factors) = factors {
+        if let Some(factors) = factors[m] {
             sigma.iter_mut().zip(factors).for_each(|(s, f)| *s = *s * R::of(*f));
         }
         push::<D, M, B, R, UPPER>(class, m, sigma, k, forces);

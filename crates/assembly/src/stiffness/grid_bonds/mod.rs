@@ -13,10 +13,11 @@ mod survey;
 pub use chunks::Exception;
 
 use super::{BlockMatrix, ConnectedParts, Survey, TakeForces, Term, Twofold, twofold};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, BondModel, Mat};
 use crate::sum::Sum;
-use chunks::{CHUNK, Chunks};
+use chunks::{CHUNK, Chunk, Chunks};
+use precision::Precision;
 use std::array::from_fn;
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -27,6 +28,28 @@ pub struct Offset<const M: usize> {
     /// From the lower point of a bond to the other, cells: to a higher layer, up in the same one, or to the right in the same row.
     pub step: Cell,
     /// Multiply the moduli of the bonds, >= 0.
+    pub weights: [f64; M],
+}
+
+/// Bonds of a lattice whose points do not all have the same weights.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tables<'a, const M: usize> {
+    /// Table of every point: zero has the weights of the offsets themselves.
+    pub of: &'a [u8],
+    /// Weights by offset of the tables from one on.
+    pub others: &'a [Vec<[f64; M]>],
+    /// Bonds between points of two tables.
+    pub between: &'a [Between<M>],
+}
+
+/// A bond between points of two tables.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Between<const M: usize> {
+    /// Index of the offset.
+    pub offset: usize,
+    /// Lower point.
+    pub lower: usize,
+    /// Multiply the moduli of the bond, >= 0: zero where one of the tables has zero.
     pub weights: [f64; M],
 }
 
@@ -57,6 +80,9 @@ impl<const D: usize, const M: usize> Class<D, M> {
 #[derive(Clone, Debug)]
 pub struct GridBonds<const D: usize, const M: usize, B> {
     lattice: Arc<SquareLattice>,
+    /// Number of offsets.
+    offsets: usize,
+    /// By offset, table by table.
     classes: Vec<Class<D, M>>,
     in_single: Vec<Class<D, M, f32>>,
     chunks: Chunks,
@@ -76,28 +102,85 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         offsets: &[Offset<M>],
         exceptions: &[Exception],
     ) -> Self {
-        let class = |offset: &Offset<M>| {
-            let [a, b, c] = offset.step;
+        Self::of_tables(lattice, model, offsets, exceptions, Tables { of: &[], others: &[], between: &[] })
+    }
+
+    /// The same of points that have other weights than those of the offsets.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new); a point has a table that is not there, or a bond goes from a table to the same one.
+    pub fn of_tables(
+        lattice: Arc<SquareLattice>,
+        model: &B,
+        offsets: &[Offset<M>],
+        exceptions: &[Exception],
+        tables: Tables<'_, M>,
+    ) -> Self {
+        let class = |step: Cell, weights: &[f64; M]| {
+            let [a, b, c] = step;
             assert!(
                 [c, b, a] > [0; 3],
                 "an offset goes to a higher layer, up in its own, or to the right in its row"
             );
-            let bond = BondGeometry { xi: lattice.vector(offset.step) };
+            let bond = BondGeometry { xi: lattice.vector(step) };
             let (rows, moduli) = (model.rows(&bond), model.moduli(&bond));
             Class {
-                step: offset.step,
+                step,
                 difference: rows.difference,
                 half_mean: rows.half_mean(),
-                modulus: from_fn(|m| offset.weights[m] * moduli[m]),
+                modulus: from_fn(|m| weights[m] * moduli[m]),
             }
         };
-        let classes: Vec<Class<D, M>> = offsets.iter().map(class).collect();
         let steps: Vec<Cell> = offsets.iter().map(|o| o.step).collect();
-        let chunks = Chunks::new(&lattice, &steps, exceptions);
+        let base: Vec<[f64; M]> = offsets.iter().map(|o| o.weights).collect();
+        let all = || std::iter::once(&base).chain(tables.others);
+        let classes: Vec<Class<D, M>> = all()
+            .flat_map(|weights| steps.iter().zip(weights).map(|(step, own)| class(*step, own)))
+            .collect();
+        let mut chunks = Chunks::new(&lattice, (&steps, M), tables.of);
+        for bond in tables.between {
+            let Some(upper) = lattice.number(plus(lattice.cell(bond.lower), steps[bond.offset])) else {
+                continue;
+            };
+            let plane = 2 * bond.offset;
+            for (plane, point) in [(plane, bond.lower), (plane + 1, upper)] {
+                let table = usize::from(tables.of[point]);
+                let own = if table == 0 { &base } else { &tables.others[table - 1] };
+                let part = |(weight, own): (f64, f64)| if own > 0.0 { weight / own } else { 0.0 };
+                chunks.spread(
+                    plane,
+                    point,
+                    &from_fn::<f64, M, _>(|m| part((bond.weights[m], own[bond.offset][m]))),
+                );
+            }
+        }
+        for e in exceptions.iter().filter(|e| e.factor != 1.0) {
+            if let Some(upper) = lattice.number(plus(lattice.cell(e.lower), steps[e.offset])) {
+                chunks.multiply(2 * e.offset, e.lower, e.factor);
+                chunks.multiply(2 * e.offset + 1, upper, e.factor);
+            }
+        }
         let in_single = classes.iter().map(Class::in_single).collect();
-        let mut bonds = Self { lattice, classes, in_single, chunks, bonds: 0, model: PhantomData };
+        let offsets = steps.len();
+        let mut bonds = Self { lattice, offsets, classes, in_single, chunks, bonds: 0, model: PhantomData };
         bonds.bonds = bonds.count();
         bonds
+    }
+
+    /// The offsets with the moduli of the first table.
+    fn offsets(&self) -> &[Class<D, M>] {
+        &self.classes[..self.offsets]
+    }
+
+    /// Moduli of the bond of an offset whose lower point is the k-th of a chunk.
+    fn moduli_of(&self, chunk: &Chunk, offset: usize, k: usize) -> [f64; M] {
+        let own = &f64::classes_of(self, chunk)[offset].modulus;
+        from_fn(|m| own[m] * self.chunks.factor(chunk, (offset, m), k))
+    }
+
+    /// Whether there is the bond of an offset whose lower point is the k-th of a chunk, if there is its other one.
+    fn has(&self, chunk: &Chunk, offset: usize, k: usize) -> bool {
+        self.moduli_of(chunk, offset, k) != [0.0; M]
     }
 
     /// The same with a factor for every bond, by index of its offset and its points, the lower one first.
@@ -131,40 +214,52 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         &self.lattice
     }
 
-    /// Moduli of the bonds of an offset, by its index, that have the factor one.
-    pub fn moduli(&self, offset: usize) -> &[f64; M] {
-        &self.classes[offset].modulus
+    /// Calls `visit` with every bond: index of its offset, its points, the factors of its measures, of which one is not zero.
+    pub fn for_each_bond(&self, mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
+        for chunk in self.chunks.all() {
+            self.for_each_bond_of(chunk, &mut visit);
+        }
     }
 
-    /// Calls `visit` with every bond: index of its offset, its points, its factor, which is not zero.
-    pub fn for_each_bond(&self, mut visit: impl FnMut(usize, [usize; 2], f64)) {
+    /// Calls `visit` with every bond: index of its offset, its points, its moduli.
+    pub fn for_each_with_moduli(&self, mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
         for chunk in self.chunks.all() {
-            for (index, class) in self.classes.iter().enumerate() {
-                self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
-                    let k = (columns.start - chunk.from) as usize;
-                    for (step, other) in (0..columns.len()).zip(other..) {
-                        let factor = self.chunks.factor(chunk, index, k + step);
-                        if factor != 0.0 {
-                            visit(index, [chunk.first as usize + k + step, other], factor);
-                        }
-                    }
-                });
+            let classes = f64::classes_of(self, chunk);
+            self.for_each_bond_of(chunk, &mut |index, ends, factors| {
+                visit(index, ends, from_fn(|m| factors[m] * classes[index].modulus[m]));
+            });
+        }
+    }
+
+    /// The bonds whose lower points are those of a chunk.
+    fn for_each_bond_of(&self, chunk: &Chunk, visit: &mut impl FnMut(usize, [usize; 2], [f64; M])) {
+        for (index, class) in f64::classes_of(self, chunk).iter().enumerate() {
+            if class.modulus == [0.0; M] {
+                continue;
             }
+            let all: [_; M] = from_fn(|m| self.chunks.factors_of(chunk, (index, 0), m));
+            self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
+                let k = (columns.start - chunk.from) as usize;
+                for (k, other) in (k..k + columns.len()).zip(other..) {
+                    let factors: [f64; M] = all.map(|of| of.map_or(1.0, |of| of[k]));
+                    if factors != [0.0; M] {
+                        visit(index, [chunk.first as usize + k, other], factors);
+                    }
+                }
+            });
         }
     }
 
     fn count(&self) -> usize {
         let mut count = 0;
         for chunk in self.chunks.all() {
-            for (index, class) in self.classes.iter().enumerate() {
+            for (index, class) in f64::classes_of(self, chunk).iter().enumerate() {
                 self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, _| {
                     let k = (columns.start - chunk.from) as usize;
                     count += match chunk.is_plain() {
+                        true if class.modulus == [0.0; M] => 0,
                         true => columns.len(),
-                        false => {
-                            let present = |k: &usize| self.chunks.factor(chunk, index, *k) != 0.0;
-                            (k..k + columns.len()).filter(present).count()
-                        }
+                        false => (k..k + columns.len()).filter(|k| self.has(chunk, index, *k)).count(),
                     };
                 });
             }
@@ -181,7 +276,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
     fn reach(&self) -> usize {
         let mut reach = 0;
         for run in self.lattice.runs() {
-            for class in &self.classes {
+            for class in self.offsets() {
                 self.lattice.shifted(run.line(), &run.columns, class.step, |columns, other| {
                     reach = reach.max(other - run.number(columns.start));
                 });
@@ -192,18 +287,22 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
 
     fn join(&self, parts: &mut ConnectedParts) {
         let next = &[[1, 0, 0], [0, 1, 0], [0, 0, 1]][..if self.lattice.is_plane() { 2 } else { 3 }];
-        let plain: Vec<usize> = next
-            .iter()
-            .filter_map(|step| self.classes.iter().position(|c| c.step == *step && c.modulus != [0.0; M]))
-            .collect();
+        let resists = |step: &Cell| {
+            let mut all = self.classes.iter().filter(|class| class.step == *step);
+            all.all(|class| class.modulus != [0.0; M])
+        };
+        let index = |step: &Cell| self.offsets().iter().position(|class| class.step == *step);
+        let plain: Vec<usize> = next.iter().filter(|step| resists(step)).filter_map(index).collect();
         // Where no bond is an exception, neighbours in a row hang together, and one bond joins two stretches of rows.
         let are_rows = self.chunks.stored_factors() == 0 && plain.len() == next.len();
         for chunk in self.chunks.all() {
             // Inside a body the bonds to the next points already join all that longer ones would.
-            let (all, inner) = (0..self.classes.len(), plain.len() == next.len() && chunk.is_plain());
-            let joined: Vec<usize> = if inner && chunk.is_inner { plain.clone() } else { all.collect() };
+            let inner = plain.len() == next.len() && chunk.is_plain() && chunk.is_inner;
+            let own = f64::classes_of(self, chunk);
+            let all = (0..own.len()).filter(|index| own[*index].modulus != [0.0; M]);
+            let joined: Vec<usize> = if inner { plain.clone() } else { all.collect() };
             for index in joined {
-                let step = self.classes[index].step;
+                let step = own[index].step;
                 self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
                     let k = (columns.start - chunk.from) as usize;
                     let first = chunk.first as usize + k;
@@ -212,8 +311,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
                     } else if are_rows || chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner {
                         parts.join(first, other);
                     } else {
-                        let present = (0..columns.len())
-                            .filter(|&step| self.chunks.factor(chunk, index, k + step) != 0.0);
+                        let present = (0..columns.len()).filter(|&step| self.has(chunk, index, k + step));
                         present.for_each(|step| parts.join(first + step, other + step));
                     }
                 });
@@ -230,9 +328,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
     }
 
     fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
-        self.for_each_bond(|class, ends, factor| {
+        self.for_each_with_moduli(|class, ends, moduli| {
             let class = &self.classes[class];
-            let moduli = class.modulus.map(|c| factor * c);
             let rows = [&class.difference, &class.half_mean];
             twofold::add_bond((rows, &moduli), self.lattice.points(), ends, u, force);
         });

@@ -2,6 +2,7 @@
 
 use super::chunks::{CHUNK, Chunk};
 use super::gather::push;
+use super::precision::Precision;
 use super::{Class, GridBonds};
 use crate::bonds::{BondModel, Mat};
 use crate::stiffness::planes::{planes, planes_mut, take_front};
@@ -50,8 +51,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     ) -> ([[f64; CHUNK]; Q], [f64; CHUNK]) {
         let (mut sums, mut energy) = ([[0.0; CHUNK]; Q], [0.0; CHUNK]);
         self.for_each_stretch(chunk, |index, side, k, own, other| {
-            let (class, width) = (&self.classes[index], own.len());
-            let factors = self.chunks.factors_of(chunk, index, side).map(|f| &f[k..k + width]);
+            let (class, width) = (&f64::classes_of(self, chunk)[index], own.len());
             let own: [&[f64]; D] = from_fn(|c| &u[c][own.clone()]);
             let other: [&[f64]; D] = from_fn(|c| &u[c][other.clone()]);
             let [lower, upper] = if side == 0 { [&own, &other] } else { [&other, &own] };
@@ -61,7 +61,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                 for l in 0..width {
                     sigma[l] = class.modulus[m] * s[l];
                 }
-                if let Some(factors) = factors {
+                if let Some(factors) = self.chunks.factors_of(chunk, (index, side), m) {
+                    let factors = &factors[k..k + width];
                     sigma.iter_mut().zip(factors).for_each(|(s, f)| *s *= f);
                 }
                 for l in 0..width {
@@ -118,8 +119,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     ) -> [[f64; CHUNK]; D] {
         let mut forces = [[0.0; CHUNK]; D];
         self.for_each_stretch(chunk, |index, side, k, own, other| {
-            let (class, width) = (&self.classes[index], own.len());
-            let factors = self.chunks.factors_of(chunk, index, side).map(|f| &f[k..k + width]);
+            let (class, width) = (&f64::classes_of(self, chunk)[index], own.len());
             for m in 0..M {
                 let mut sigma = [0.0; CHUNK];
                 let sigma = &mut sigma[..width];
@@ -128,7 +128,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                     let ends = t[q][own.clone()].iter().zip(&t[q][other.clone()]);
                     sigma.iter_mut().zip(ends).for_each(|(s, (a, b))| *s += share * (a + b));
                 }
-                if let Some(factors) = factors {
+                if let Some(factors) = self.chunks.factors_of(chunk, (index, side), m) {
+                    let factors = &factors[k..k + width];
                     sigma.iter_mut().zip(factors).for_each(|(s, f)| *s *= f);
                 }
                 match side {
@@ -158,7 +159,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         chunk: &Chunk,
         mut visit: impl FnMut(usize, usize, usize, Range<usize>, Range<usize>),
     ) {
-        for (index, class) in self.classes.iter().enumerate() {
+        for (index, class) in self.offsets().iter().enumerate() {
             for (side, step) in [(0, class.step), (1, class.step.map(|k| -k))] {
                 self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
                     let (k, width) = ((columns.start - chunk.from) as usize, columns.len());

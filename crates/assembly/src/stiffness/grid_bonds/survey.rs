@@ -1,6 +1,7 @@
 //! Energy and largest end action of the bonds.
 
 use super::chunks::{CHUNK, Chunk};
+use super::precision::Precision;
 use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use crate::stiffness::Survey;
@@ -26,14 +27,15 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     #[inline(always)]
     fn survey_chunk(&self, chunk: &Chunk, u: &[&[f64]; D]) -> Survey<D> {
         let mut survey = Survey::EMPTY;
-        for (index, class) in self.classes.iter().enumerate() {
-            let factors = self.chunks.factors_of(chunk, index, 0);
+        for (index, class) in f64::classes_of(self, chunk).iter().enumerate() {
+            let factors: [Option<&[f64; CHUNK]>; M] =
+                from_fn(|m| self.chunks.factors_of(chunk, (index, 0), m));
             self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
                 let k = (columns.start - chunk.from) as usize;
                 let (own, width) = (chunk.first as usize + k, columns.len());
                 let lower: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);
                 let upper: [&[f64]; D] = from_fn(|c| &u[c][other..other + width]);
-                let factors = factors.map(|f| &f[k..k + width]);
+                let factors = factors.map(|f| f.map(|f| &f[k..k + width]));
                 survey = survey.join(stretch::<D, M, B>(class, [&lower, &upper], factors));
             });
         }
@@ -46,7 +48,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 fn stretch<const D: usize, const M: usize, B: BondModel<D, M>>(
     class: &Class<D, M>,
     [lower, upper]: [&[&[f64]; D]; 2],
-    factors: Option<&[f64]>,
+    factors: [Option<&[f64]>; M],
 ) -> Survey<D> {
     let width = lower[0].len();
     let mut energy = [0.0; CHUNK];
@@ -65,7 +67,7 @@ fn stretch<const D: usize, const M: usize, B: BondModel<D, M>>(
             }
             sigma[k] = class.modulus[m] * s[k];
         }
-        if let Some(factors) = factors {
+        if let Some(factors) = factors[m] {
             sigma.iter_mut().zip(factors).for_each(|(s, f)| *s *= f);
         }
         for k in 0..width {

@@ -1,4 +1,5 @@
 mod solid;
+mod tables;
 
 use super::*;
 use crate::body::plus;
