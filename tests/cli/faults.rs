@@ -50,7 +50,8 @@ pub(crate) fn is_finished(out: &Path) -> bool {
     assert!(named.iter().all(|file| out.join(file).exists()), "{collection}");
     assert_eq!((named.len(), text(&out.join("history.csv")).lines().count()), (states, states + 1));
     json(&out.join("case.json"));
-    !is_interrupted
+    // One that was killed before it removed what it goes on from does the last of its work again.
+    !is_interrupted && !out.join("restart.bin").exists()
 }
 
 fn send(signal: &str, pid: u32) {
@@ -132,6 +133,25 @@ fn so_is_a_beam_in_load_steps() {
 #[test]
 fn so_is_a_body_that_breaks() {
     ended_at_any_moment(&breaking());
+}
+
+#[test]
+fn a_run_that_was_killed_behind_its_summary_ends_it_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let (out, restart) = (folder.path().join("out"), folder.path().join("out/restart.bin"));
+    assert_eq!(solve(folder.path(), &breaking(), &["-o", "whole"]).code, 0);
+    let mut child = spawn(folder.path());
+    wait_for_rows(folder.path(), &mut child, 20);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = fs::read(&restart).unwrap();
+    assert!(spawn(folder.path()).wait().unwrap().success());
+    assert!(is_finished(&out));
+    fs::write(&restart, kept).unwrap();
+    assert!(!is_finished(&out));
+    assert!(spawn(folder.path()).wait().unwrap().success());
+    assert!(is_finished(&out));
+    assert_same(&out, &folder.path().join("whole"));
 }
 
 /// A run of the body that breaks of which something is removed as it goes on; what it said.

@@ -1,11 +1,11 @@
-//! Plates of beam bonds pass the checks of every model: fibres at several angles, all calibrations and edges, lines of
-//! symmetry, turned lattices, random cuts, and after random bonds have broken.
+//! Plates of beam bonds pass the checks of every model: fibres at several angles, also in one body, all calibrations and edges,
+//! lines of symmetry, turned lattices, random cuts, and after random bonds have broken.
 
 use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::beam_bond_orthotropic::{
-    BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
+    BeamBondOrthotropic, Laminae, OrthotropicMaterial, OrthotropicParameters,
 };
 use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges, Mirrors};
 use peristat_assembly::model::{Breakable, Model, Points};
@@ -49,7 +49,7 @@ fn energy(terms: &[Box<dyn Term<3>>], u: &[f64]) -> f64 {
 /// Breaks some bonds that are stretched: what is left is a model, and the energy falls by that of the part.
 fn check_broken(plate: &mut BeamBondOrthotropic, noise: &mut Noise, seed: u64) {
     let u = noise.vector(3 * plate.points());
-    let offsets = BeamBondOrthotropic::offsets(plate.parameters()).expect("the bonds exist").len();
+    let offsets = BeamBondOrthotropic::offsets(plate.parameters(), &[]).expect("the bonds exist").len();
     let mut bonds = Vec::new();
     plate.for_each_ratio(&u, &CriticalStretch::new(vec![1.0; offsets]), &mut |bond, _| bonds.push(bond));
     let mut broken: Vec<u64> = bonds.into_iter().filter(|_| noise.next() > 0.6).collect();
@@ -82,9 +82,9 @@ proptest! {
         let has_mirrors = parameters.lattice_angle == 0.0 && (fibres.abs() < 1e-9 || (fibres - 90.0).abs() < 1e-9);
         let line = |k: usize, at: i32| (has_mirrors && mirrored[k]).then_some(at);
         let mirrors = Mirrors::in_plane([line(0, 0), line(1, columns)], [line(2, 0), line(3, rows)]);
-        let depth = BeamBondOrthotropic::depth(&parameters).expect("the bonds exist");
+        let depth = BeamBondOrthotropic::depth(&parameters, &[]).expect("the bonds exist");
         let lattice = mirrors.extended(&real, depth);
-        let offsets = BeamBondOrthotropic::offsets(&parameters).expect("the bonds exist");
+        let offsets = BeamBondOrthotropic::offsets(&parameters, &[]).expect("the bonds exist");
         let cuts: Vec<(usize, usize)> =
             (0..cut).map(|_| (noise.index(offsets.len()), noise.index(lattice.points()))).collect();
         let mut plate = BeamBondOrthotropic::on_lattice(Arc::new(lattice), mirrors, parameters, &cuts)
@@ -94,5 +94,29 @@ proptest! {
         if mirrors.is_none() {
             check_broken(&mut plate, &mut noise, seed);
         }
+    }
+
+    #[test]
+    fn laminae_side_by_side_are_one_body(
+        columns in 3_i32..70, rows in 3_i32..7, choice in 0_usize..6, turns in prop::array::uniform2(0_usize..5),
+        edges in any::<bool>(), stiff in any::<bool>(), cut in 0_usize..20, seed in any::<u64>()
+    ) {
+        let mut noise = Noise(seed);
+        let edges = if edges { Edges::Overlay } else { Edges::Border };
+        let own = parameters(choice);
+        let parameters = OrthotropicParameters { edges, horizon_ratio: own.horizon_ratio.max(3.2), ..own };
+        let angles = turns.map(|k| own.fibre_angle + [30.0_f64, 45.0, 72.0, 90.0, -10.0][k].to_radians()).to_vec();
+        let lattice = SquareLattice::plane(0.5, [1.0, -3.0], 0..columns, 0..rows, |_| true);
+        let first = noise.index(columns as usize) as i32;
+        let own = |p: usize| u8::from(lattice.cell(p)[0] >= first) + u8::from(lattice.cell(p)[0] >= first + 2);
+        let of: Vec<u8> = (0..lattice.points()).map(own).collect();
+        let factors = if stiff { of.iter().map(|own| 1.0 + 9.0 * f64::from(*own)).collect() } else { Vec::new() };
+        let offsets = BeamBondOrthotropic::offsets(&parameters, &angles).expect("the bonds exist");
+        let cuts: Vec<(usize, usize)> =
+            (0..cut).map(|_| (noise.index(offsets.len()), noise.index(lattice.points()))).collect();
+        let parts = (factors, Laminae { angles, of });
+        let plate = BeamBondOrthotropic::mixed(Arc::new(lattice), Mirrors::NONE, parameters, &cuts, parts)
+            .expect("as before");
+        check::<3, _>(&plate, &Vec::new, seed);
     }
 }

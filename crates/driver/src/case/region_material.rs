@@ -30,6 +30,9 @@ pub struct RegionMaterial {
     /// All moduli of a body with fibres over those of `model`, > 0, which may vary as E does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness_factor: Option<Modulus>,
+    /// Angle of the fibres of a region of a body with fibres from x, counter-clockwise, degrees, from −360 to 360.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fibre_angle: Option<f64>,
     /// Thickness of a region of a plate in bending, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub thickness: Option<f64>,

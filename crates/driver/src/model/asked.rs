@@ -17,6 +17,8 @@ pub struct Asked<'a> {
     pub has_cracks: bool,
     /// Poisson's ratios of the materials of regions, where these give any; none where all of the body is of the base material.
     pub materials: Option<Vec<f64>>,
+    /// Angles of the fibres of materials of regions that give one, degrees.
+    pub fibre_angles: Vec<f64>,
     /// Sides that are lines of symmetry, by name.
     pub symmetry: &'a [String],
     /// Pairs of sides that are joined, in the order of the case.

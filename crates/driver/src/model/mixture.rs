@@ -16,6 +16,8 @@ pub struct OtherMaterial {
     pub shear_modulus: Option<[f64; 2]>,
     /// The least and the greatest factor on all moduli of its points.
     pub stiffness_factor: Option<[f64; 2]>,
+    /// Angle of its fibres from x, degrees.
+    pub fibre_angle: Option<f64>,
     /// Strain per kelvin, along and across fibres; without fibres both are the same.
     pub thermal_expansion: Option<[f64; 2]>,
     /// Mass per volume.
@@ -46,6 +48,22 @@ impl Mixture {
         self.others.get(number as usize)
     }
 
+    /// The angles of fibres from x, degrees, that differ: first that of the base material, none.
+    pub fn fibre_angles(&self) -> Vec<Option<f64>> {
+        let mut angles = vec![None];
+        for own in self.others.iter().map(|other| other.fibre_angle) {
+            if !angles.contains(&own) {
+                angles.push(own);
+            }
+        }
+        angles
+    }
+
+    /// The angle of the fibres of a point without images, degrees; none of those of the base material.
+    pub fn fibre_angle(&self, point: usize) -> Option<f64> {
+        self.of(point)?.fibre_angle
+    }
+
     /// The largest modulus over that of the base material.
     pub fn stiffest(&self) -> f64 {
         self.factors.iter().copied().fold(1.0, f64::max)
@@ -53,19 +71,24 @@ impl Mixture {
 
     /// The modulus over that of the base material of every point of a lattice with images of a real one; none where all points are
     /// of the base material.
-    pub fn on_images(
+    pub fn on_images(&self, lattice: &SquareLattice, body: (&SquareLattice, &Mirrors)) -> Vec<f64> {
+        self.each(lattice, body, |own| own.map_or(1.0, |own| self.factors[own]))
+    }
+
+    /// What follows from the real points of those of a lattice with images; nothing where all are of the base material.
+    pub fn each<T>(
         &self,
         lattice: &SquareLattice,
         (real, mirrors): (&SquareLattice, &Mirrors),
-    ) -> Vec<f64> {
+        of: impl Fn(Option<usize>) -> T,
+    ) -> Vec<T> {
         if self.is_one() {
             return Vec::new();
         }
-        let of = |point: usize| {
+        let own = |point: usize| {
             let cell = lattice.cell(point);
-            let cell = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
-            real.number(cell).map_or(1.0, |own| self.factors[own])
+            of(real.number(if mirrors.is_none() { cell } else { mirrors.image(cell).0 }))
         };
-        (0..lattice.points()).map(of).collect()
+        (0..lattice.points()).map(own).collect()
     }
 }

@@ -93,6 +93,9 @@ pub struct RegionSummary {
     /// Factor on all moduli, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_factor: Option<ValueSummary>,
+    /// Angle of its fibres from x, degrees, where it has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fibre_angle: Option<f64>,
     /// Critical stretch of its bonds, where they break.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_stretch: Option<ValueSummary>,
@@ -204,6 +207,7 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
         poisson_ratio: other.poisson_ratio,
         shear_modulus: other.shear_modulus.map(Into::into),
         stiffness_factor: other.stiffness_factor.map(Into::into),
+        fibre_angle: other.fibre_angle,
         critical_stretch: stretches(other, &|critical, modulus| critical.ratio_within(number, modulus)),
         interface_stretch: stretches(other, &|critical, modulus| {
             critical.ratio_between([(0, 1.0), (number, modulus)])

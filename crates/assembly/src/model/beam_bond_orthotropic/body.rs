@@ -5,7 +5,8 @@ use super::super::plane::{
     Mixture, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, add_stress_work, calibration_error, in_plane,
     rigid_motion,
 };
-use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
+use super::laminae::Moduli;
+use super::{BeamBond, BeamNeighbourhood, Laminae, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
@@ -18,12 +19,17 @@ use std::sync::{Arc, OnceLock};
 #[derive(Clone, Debug)]
 pub struct BeamBondOrthotropic {
     parameters: OrthotropicParameters,
-    /// 1/Pa, from stresses to strains along x and y.
-    compliance: Mat<3, 3>,
+    /// Those of the parameters, and of other laminae.
+    moduli: Vec<Moduli>,
     components: [Component; 3],
     body: LatticeBody<3, 3, 4, BeamBond>,
-    /// The same of the base material alone, where some points are of others and a load asked for it.
-    even: OnceLock<Box<Self>>,
+    /// The same of every lamina alone, where materials differ and a load asked for them.
+    even: OnceLock<Vec<Self>>,
+}
+
+/// Strains of stresses, or stresses of strains.
+fn times(matrix: &Mat<3, 3>, vector: [f64; 3]) -> [f64; 3] {
+    matrix.map(|row| row.iter().zip(&vector).map(|(c, s)| c * s).sum())
 }
 
 /// The unknowns of a point: those of the plane and its scaled rotation.
@@ -33,20 +39,24 @@ fn components(bond: &BeamBond) -> [Component; 3] {
 }
 
 impl BeamBondOrthotropic {
-    /// One of each pair of opposite offsets to the neighbours of a point: the first number of a cut is an index into them.
+    /// One of each pair of opposite offsets to the neighbours of a point in a body with laminae at some other `angles`, rad: the
+    /// first number of a cut is an index into them.
     ///
     /// # Errors
     /// As [`BeamNeighbourhood::new`].
-    pub fn offsets(parameters: &OrthotropicParameters) -> Result<Vec<Cell>, OrthotropicError> {
-        Ok(BeamNeighbourhood::new(parameters)?.offsets().to_vec())
+    pub fn offsets(
+        parameters: &OrthotropicParameters,
+        angles: &[f64],
+    ) -> Result<Vec<Cell>, OrthotropicError> {
+        Ok(BeamNeighbourhood::of_laminae(parameters, angles)?.offsets)
     }
 
-    /// Rows or columns of images that a lattice needs beyond a line of symmetry.
+    /// Rows or columns of images that a lattice of such a body needs beyond a line of symmetry.
     ///
     /// # Errors
     /// As [`BeamNeighbourhood::new`].
-    pub fn depth(parameters: &OrthotropicParameters) -> Result<i32, OrthotropicError> {
-        Ok(parameters.edges.depth(BeamNeighbourhood::new(parameters)?.neighbourhood().reach()))
+    pub fn depth(parameters: &OrthotropicParameters, angles: &[f64]) -> Result<i32, OrthotropicError> {
+        Ok(parameters.edges.depth(BeamNeighbourhood::of_laminae(parameters, angles)?.reach()))
     }
 
     /// A body on a lattice with the angle of the parameters, images in `mirrors` among its points
@@ -63,45 +73,58 @@ impl BeamBondOrthotropic {
         parameters: OrthotropicParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, OrthotropicError> {
-        Self::mixed(lattice, mirrors, parameters, cuts, Vec::new())
+        Self::mixed(lattice, mirrors, parameters, cuts, (Vec::new(), Laminae::default()))
     }
 
-    /// The same of points of several stiffnesses: `factors` are moduli of the points over those of the parameters, > 0, images having
-    /// those of their points; none where all are one. Edges are completed.
+    /// The same of points of several stiffnesses and fibres: `factors` are moduli of the points over those of the parameters, > 0,
+    /// none where all are one; images have what their points have. Edges are completed. Bodies of several laminae do not break.
     ///
     /// # Errors
     /// As [`on_lattice`](Self::on_lattice).
     ///
     /// # Panics
-    /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
+    /// As [`on_lattice`](Self::on_lattice); there is not one factor or lamina for every point, a point is of a lamina that is not
+    /// there, or there are more than [`Laminae::MOST`] other angles.
     pub fn mixed(
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
         parameters: OrthotropicParameters,
         cuts: &[(usize, usize)],
-        factors: Vec<f64>,
+        (factors, laminae): (Vec<f64>, Laminae),
     ) -> Result<Self, OrthotropicError> {
         assert!(factors.is_empty() || factors.len() == lattice.points(), "one factor per point");
-        let bonds = BeamNeighbourhood::new(&parameters)?;
+        laminae.check(lattice.points());
+        let neighbourhood = BeamNeighbourhood::of_laminae(&parameters, &laminae.angles)?;
         let (spacing, thickness) = (lattice.spacing(), parameters.material.thickness);
-        let stiffness = parameters.material.stiffness_at(parameters.fibre_angle);
+        let moduli = Moduli::of(&parameters, &laminae.angles);
+        let stiffness = moduli[0].stiffness;
         let kind = Kind {
             bond: BeamBond { volume: spacing * spacing * thickness, turning: spacing },
             edges: parameters.edges,
             thickness,
             stretch_moduli: [stiffness[0][0], stiffness[1][1]],
         };
-        let neighbourhood = bonds.neighbourhood().clone();
-        let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, Mixture::new(factors));
-        let compliance = parameters.material.compliance_at(parameters.fibre_angle);
+        let mixture = Mixture::of_tables(factors, laminae.of);
+        let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, mixture);
         let components = components(&body.kind.bond);
-        Ok(Self { parameters, compliance, components, body, even: OnceLock::new() })
+        Ok(Self { parameters, moduli, components, body, even: OnceLock::new() })
     }
 
     /// The same with other bonds.
     fn with(&self, body: LatticeBody<3, 3, 4, BeamBond>) -> Self {
-        let Self { parameters, compliance, components, .. } = *self;
-        Self { parameters, compliance, components, body, even: OnceLock::new() }
+        let Self { parameters, components, .. } = *self;
+        Self { parameters, moduli: self.moduli.clone(), components, body, even: OnceLock::new() }
+    }
+
+    /// The body that is all of a lamina.
+    fn even(&self, lamina: usize) -> Self {
+        Self { moduli: vec![self.moduli[lamina]], ..self.with(self.body.of_one_material(lamina)) }
+    }
+
+    /// Moduli of the lamina of a point, at the factor one.
+    fn moduli(&self, point: usize) -> &Moduli {
+        // Points of coarser lattices may be of several.
+        self.moduli.get(self.body.table(point)).unwrap_or(&self.moduli[0])
     }
 
     /// The parameters.
@@ -159,9 +182,9 @@ impl BodyModel for BeamBondOrthotropic {
         in_plane(self, stress, across)
     }
 
-    fn strains_at(&self, point: usize, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
-        let factor = self.body.factor(point);
-        self.strains_of(stress, across).map(|strain| strain / factor)
+    fn strains_at(&self, point: usize, [x, y, shear, ..]: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        let [x, y, shear] = self.strain_at(point, [x, y, shear], across);
+        [x, y, shear, 0.0, 0.0, 0.0]
     }
 
     fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
@@ -183,21 +206,21 @@ impl PlaneModel for BeamBondOrthotropic {
     }
 
     fn stiffness(&self) -> Mat<3, 3> {
-        self.parameters.material.stiffness_at(self.parameters.fibre_angle)
+        self.moduli[0].stiffness
     }
 
     fn stiffness_at(&self, point: usize) -> Mat<3, 3> {
         let factor = self.body.factor(point);
-        self.stiffness().map(|row| row.map(|c| factor * c))
+        self.moduli(point).stiffness.map(|row| row.map(|c| factor * c))
     }
 
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
-        self.compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
+        times(&self.moduli[0].compliance, stress)
     }
 
     fn strain_at(&self, point: usize, stress: [f64; 3], _across: f64) -> [f64; 3] {
         let factor = self.body.factor(point);
-        self.strain_of(stress).map(|strain| strain / factor)
+        times(&self.moduli(point).compliance, stress).map(|strain| strain / factor)
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {
@@ -208,17 +231,26 @@ impl PlaneModel for BeamBondOrthotropic {
         self.body.add_strain_work(t, points, force);
     }
 
-    /// The forces of one stress on a border, with the moments that go with them, whatever the materials inside are: those of a
-    /// body of one material.
+    /// The forces of one stress on a border, with the moments that go with them, whatever the materials inside are: points have those
+    /// of a body that is all of their lamina.
     fn add_stress_load(
         &self,
         points: Option<&[usize]>,
         stress_at: &(dyn Fn(usize, [f64; 2]) -> [f64; 3] + Sync),
         force: &mut [f64],
     ) {
-        let even = || Box::new(self.with(self.body.of_one_material()));
-        let model = if self.body.mixture().is_some() { self.even.get_or_init(even) } else { self };
-        add_stress_work(model, points, stress_at, force);
+        if self.body.mixture().is_none() {
+            return add_stress_work(self, points, stress_at, force);
+        }
+        let n = self.body.lattice.points();
+        let even = self.even.get_or_init(|| (0..self.moduli.len()).map(|lamina| self.even(lamina)).collect());
+        for (lamina, model) in even.iter().enumerate() {
+            let mut own = vec![0.0; force.len()];
+            add_stress_work(model, points, stress_at, &mut own);
+            let own =
+                own.into_iter().enumerate().filter(|(unknown, _)| self.body.table(unknown % n) == lamina);
+            own.for_each(|(unknown, part)| force[unknown] += part);
+        }
     }
 
     fn energy_at_rest(&self, t: &[f64]) -> Option<f64> {
@@ -253,9 +285,8 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn contrast(&self) -> f64 {
-        let stiffness = self.stiffness();
-        let diagonal = [0, 1, 2].map(|k| stiffness[k][k]);
-        let [least, most] = [f64::min, f64::max].map(|of| diagonal.into_iter().reduce(of).unwrap_or(1.0));
+        let diagonal = self.moduli.iter().flat_map(|of| [0, 1, 2].map(|k| of.stiffness[k][k]));
+        let [least, most] = [f64::min, f64::max].map(|of| diagonal.clone().reduce(of).unwrap_or(1.0));
         self.contrast_of_points() * (most / least).sqrt()
     }
 

@@ -1,7 +1,8 @@
 //! Neighbours of a point of a lattice and the beam bonds to them.
 
-use super::super::plane::{Calibration, Neighbourhood, half_offsets, is_within};
+use super::super::plane::{Calibration, Neighbourhood, direction_product, half_offsets, is_within};
 use super::calibration::{Fibres, matched, published};
+use super::moments::shear_row;
 use super::{Moments, OrthotropicError, OrthotropicParameters, Start};
 use crate::body::Cell;
 
@@ -48,16 +49,36 @@ impl BeamNeighbourhood {
         let inside = |step: &Cell| offsets.iter().position(|o| o == step);
         let all_weights: Vec<[f64; 3]> =
             all.iter().map(|step| inside(step).map_or([0.0; 3], |k| weights[k])).collect();
-        let parts: Vec<f64> = all.iter().map(|step| f64::from(inside(step).is_some())).collect();
-        let neighbourhood = Neighbourhood::new(&all, &all_weights, &parts);
+        let neighbourhood = Neighbourhood::new(&all, &all_weights, &parts(&all, m));
         let is_fibre =
             neighbourhood.offsets.iter().map(|step| inside(step).is_some_and(|k| fibres.along[k])).collect();
         Ok(Self { neighbourhood, is_fibre, direction: fibres.direction, start, angle, horizon_ratio: m })
     }
 
-    /// The same as bodies on lattices take it.
-    pub(super) fn neighbourhood(&self) -> &Neighbourhood<3> {
-        &self.neighbourhood
+    /// Bonds of a body whose points have fibres at several angles: those of the parameters, and others from x, rad.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(super) fn of_laminae(
+        parameters: &OrthotropicParameters,
+        angles: &[f64],
+    ) -> Result<Neighbourhood<3>, OrthotropicError> {
+        let of = |angle: f64| Self::new(&OrthotropicParameters { fibre_angle: angle, ..*parameters });
+        let own = Self::new(parameters)?.neighbourhood;
+        if angles.is_empty() {
+            return Ok(own);
+        }
+        let m = parameters.horizon_ratio;
+        let all = half_offsets(m, 1);
+        let weights = |of: &Neighbourhood<3>| -> Vec<[f64; 3]> {
+            let at = |step: &Cell| of.offsets.iter().position(|own| own == step);
+            all.iter().map(|step| at(step).map_or([0.0; 3], |k| of.weights[k])).collect()
+        };
+        let others = angles.iter().map(|&angle| Ok(weights(&of(angle)?.neighbourhood)));
+        let others = others.collect::<Result<Vec<_>, OrthotropicError>>()?;
+        let own = weights(&own);
+        let along: Vec<_> = std::iter::once(&own).chain(&others).map(|of| along(&all, of)).collect();
+        Ok(Neighbourhood::of_tables(&all, (&own, &others), &along, &parts(&all, m)))
     }
 
     /// The offsets of all bonds and of possible sides of triangles, cells, row by row: upwards, or to the right in the same
@@ -114,4 +135,20 @@ impl BeamNeighbourhood {
         let coupling = moments.coupling.iter().fold(0.0_f64, |most, h| most.max(h.abs()));
         coupling <= 1e-10 * moments.stiffness[0][0].max(moments.stiffness[1][1])
     }
+}
+
+/// Per offset, whether its bonds are within the horizon, of some spacings.
+fn parts(all: &[Cell], horizon_ratio: f64) -> Vec<f64> {
+    all.iter().map(|&step| f64::from(is_within(step, horizon_ratio))).collect()
+}
+
+/// What all bonds together resist to a stretch and a shear along each of them; a bend is as the shear.
+fn along(all: &[Cell], weights: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let stiffness = Moments::new(all, weights).stiffness;
+    let of = |row: [f64; 3]| (0..9).map(|k| row[k / 3] * stiffness[k / 3][k % 3] * row[k % 3]).sum::<f64>();
+    let along = |step: &Cell| {
+        let shear = of(shear_row(*step));
+        [of(direction_product(*step)), shear, shear]
+    };
+    all.iter().map(along).collect()
 }

@@ -48,7 +48,7 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     /// What points near edges lack. Beside a border that is completed they tell its stresses, and have no energy.
     pub(in super::super) triangles: Arc<Families<D, S, 2>>,
     /// What it has beside that where it is of several materials.
-    pub(super) interface: Option<Box<Interface<D, S>>>,
+    pub(super) interface: Option<Box<Interface<D, M, S>>>,
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
@@ -124,8 +124,10 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let mut cuts: Vec<(usize, usize)> = parted.cuts.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
+        let mixed = interface.as_ref().map(|interface| (&*interface.mixture, &interface.between[..]));
+        let mixed = mixed.map_or((None, &[][..]), |(mixture, between)| (Some(mixture), between));
         let grid = |exceptions: &[Exception]| {
-            Arc::new(grid(&lattice, &neighbourhood, &factors.base, &kind.bond, exceptions))
+            Arc::new(grid(&lattice, &neighbourhood, &factors.base, &kind.bond, exceptions, mixed))
         };
         exceptions.extend(&border.gaps);
         let ghosts = mirrors.ghosts(&lattice);
@@ -170,6 +172,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.mixture().map_or(1.0, |mixture| mixture.of(point))
     }
 
+    /// Which table has the weights of the bonds of a point.
+    pub(in super::super) fn table(&self, point: usize) -> usize {
+        self.mixture().map_or(0, |mixture| mixture.table(point))
+    }
+
     /// Volume of a real point with a whole cell, m³.
     pub(super) fn cell_volume(&self) -> f64 {
         self.lattice.spacing().powi(2) * self.kind.thickness
@@ -195,12 +202,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.ghosts.binary_search(&(point as u32)).is_ok()
     }
 
-    /// The body of the base material alone.
-    pub(in super::super) fn of_one_material(&self) -> Self {
+    /// The body of the material of a table alone.
+    pub(in super::super) fn of_one_material(&self, table: usize) -> Self {
         Self::new(
             self.lattice.clone(),
             self.mirrors,
-            self.neighbourhood.clone(),
+            self.neighbourhood.of_one(table),
             self.kind.clone(),
             &self.cuts,
         )
@@ -216,8 +223,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let coarse = mirrors.extended(&coarse, self.kind.edges.depth(self.neighbourhood.reach()));
         let cuts = cuts(&coarse, &self.neighbourhood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
-        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors)));
-        Some(Self::mixed(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts, mixture))
+        let materials = self.neighbourhood.materials(self.mixture().map_or(0, |own| own.blends().len()));
+        let coarse_body = (&coarse, &mirrors);
+        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, coarse_body, materials));
+        let blends = mixture.as_ref().map_or(&[][..], |mixture| mixture.blends());
+        let neighbourhood = self.neighbourhood.with_blends(materials, blends);
+        Some(Self::mixed(Arc::new(coarse), mirrors, neighbourhood, kind, &cuts, mixture))
     }
 }
 

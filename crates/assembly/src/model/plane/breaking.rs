@@ -114,7 +114,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let passed = || path.iter().map(|&(step, part)| (plus(first, step), part));
         let modulus = || {
             let body = (&*self.lattice, &self.mirrors);
-            self.mixture().map_or(1.0, |mixture| mixture.through(body, passed()).factor)
+            self.mixture().map_or(1.0, |mixture| mixture.through(body, passed()).weights[0])
         };
         critical.ratio(passed().filter_map(|(cell, _)| self.lattice.number(cell)), modulus)
     }

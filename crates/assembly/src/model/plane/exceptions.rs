@@ -1,20 +1,23 @@
 //! Bonds of a lattice with factors of their own: those of cells that are not whole, and those of images.
 
 use super::Mirrors;
+use super::mixture::Mixture;
 use super::near::at;
 use super::neighbourhood::Neighbourhood;
 use crate::body::SquareLattice;
 use crate::bonds::BondModel;
-use crate::stiffness::{Exception, GridBonds, Offset};
+use crate::stiffness::{Between, Exception, GridBonds, Offset, Tables};
 use std::sync::Arc;
 
-/// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
+/// The bonds of the offsets that have any, with exceptions, and bonds between points of two tables of a mixture, whose offsets are
+/// those of the neighbourhood.
 pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
     lattice: &Arc<SquareLattice>,
     neighbourhood: &Neighbourhood<M>,
     base: &[f64],
     bond: &B,
     exceptions: &[Exception],
+    (mixture, between): (Option<&Mixture>, &[Between<M>]),
 ) -> GridBonds<D, M, B> {
     let bonded: Vec<usize> = neighbourhood.bonded().collect();
     let mut class = vec![None; neighbourhood.offsets.len()];
@@ -26,7 +29,13 @@ pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>
     let offsets: Vec<Offset<M>> = bonded.iter().map(offset).collect();
     let known: Vec<Exception> =
         exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
-    GridBonds::new(lattice.clone(), bond, &offsets, &known)
+    let between: Vec<Between<M>> =
+        between.iter().filter_map(|e| Some(Between { offset: class[e.offset]?, ..*e })).collect();
+    let others: Vec<Vec<[f64; M]>> =
+        neighbourhood.others.iter().map(|weights| bonded.iter().map(|&k| weights[k]).collect()).collect();
+    let of = mixture.map_or(&[][..], Mixture::tables);
+    let tables = Tables { of, others: &others, between: &between };
+    GridBonds::of_tables(lattice.clone(), bond, &offsets, &known, tables)
 }
 
 /// Factors of the bonds of cells that are not whole: the smaller part of both ends.

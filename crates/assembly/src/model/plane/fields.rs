@@ -111,9 +111,10 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let triangles = self.triangles.list().iter().chain(given_back);
         let mut fields = PlaneFields::with_triangles(sums, triangles, of_point, u);
         if let Some(strains) = &self.border.strains {
-            let c = self.stiffness();
+            let of_tables: Vec<Mat<S, S>> =
+                (0..=self.neighbourhood.others.len()).map(|table| self.stiffness(table)).collect();
             strains.for_each((n, u), &mut |point, strain| {
-                let factor = self.factor(point);
+                let (c, factor) = (&of_tables[self.table(point)], self.factor(point));
                 let stress: [f64; 3] = from_fn(|q| (0..3).map(|k| factor * c[q][k] * strain[k]).sum());
                 (0..3).for_each(|q| fields.stress[q][point] = stress[q]);
                 fields.energy_density[point] = (0..3).map(|q| 0.5 * stress[q] * strain[q]).sum();
@@ -122,11 +123,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         fields
     }
 
-    /// Stiffness of the material, Pa, for uniform states.
-    fn stiffness(&self) -> Mat<S, S> {
+    /// Stiffness of the material of a table, Pa, for uniform states.
+    fn stiffness(&self, table: usize) -> Mat<S, S> {
         let mut sum = [[0.0; S]; S];
         for k in self.neighbourhood.bonded() {
-            let own = modulus(&self.lattice, &self.neighbourhood, &self.kind.bond, k);
+            let weights = self.neighbourhood.weights_of(table, k);
+            let own = modulus(&self.lattice, &self.kind.bond, self.neighbourhood.offsets[k], weights);
             add(&mut sum, &own);
         }
         sum.map(|row| row.map(|x| x / self.cell_volume()))

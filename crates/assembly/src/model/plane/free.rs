@@ -19,17 +19,17 @@ pub(super) struct FreeBonds<'a, const M: usize> {
     /// Halves of the measures in uniform strains, by offset that has bonds.
     halves: Vec<Mat<3, M>>,
     /// What lower points have beyond halves, by offset and lower point.
-    beyond: HashMap<(usize, usize), f64>,
+    beyond: HashMap<(usize, usize), [f64; M]>,
 }
 
 impl<const M: usize> FreeBonds<'_, M> {
     /// Those of a bond, by index of its offset among those that have bonds, and its points.
     pub(super) fn measures(&self, class: usize, [i, j]: [usize; 2]) -> [f64; M] {
         let n = self.t.len() / 3;
-        let more = 2.0 * self.beyond.get(&(class, i)).copied().unwrap_or(0.0);
-        let strain: [f64; 3] =
-            from_fn(|q| (1.0 + more) * self.t[q * n + i] + (1.0 - more) * self.t[q * n + j]);
-        from_fn(|m| (0..3).map(|q| self.halves[class][q][m] * strain[q]).sum())
+        let beyond = self.beyond.get(&(class, i)).unwrap_or(&[0.0; M]);
+        let strain =
+            |q: usize, more: f64| (1.0 + more) * self.t[q * n + i] + (1.0 - more) * self.t[q * n + j];
+        from_fn(|m| (0..3).map(|q| self.halves[class][q][m] * strain(q, 2.0 * beyond[m])).sum())
     }
 }
 

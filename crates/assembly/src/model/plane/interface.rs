@@ -7,19 +7,22 @@ use super::edges::{modulus, triangles_of};
 use super::mixture::Mixture;
 use super::neighbourhood::Neighbourhood;
 use super::uneven::{MixedBonds, UnevenBonds};
-use crate::body::SquareLattice;
+use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, add};
-use crate::stiffness::{Exception, Families, Family};
+use crate::stiffness::{Between, Exception, Families, Family};
+use std::array::from_fn;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
 /// The bonds of a body of several materials, as far as they are not those of one.
 #[derive(Clone, Debug)]
-pub(in super::super) struct Interface<const D: usize, const S: usize> {
+pub(in super::super) struct Interface<const D: usize, const M: usize, const S: usize> {
     pub(super) mixture: Arc<Mixture>,
     /// Factors of bonds by offset and lower point.
     pub(super) exceptions: Vec<Exception>,
-    pub(super) uneven: UnevenBonds,
+    /// Bonds through several tables of weights.
+    pub(super) between: Vec<Between<M>>,
+    pub(super) uneven: UnevenBonds<M>,
     /// Triangles that give back what points lack: first of bonds between points, then of those that end on the border.
     pub(super) families: Arc<Families<D, S, 2>>,
     /// Number of the first ones, which tell stresses, too.
@@ -28,26 +31,28 @@ pub(in super::super) struct Interface<const D: usize, const S: usize> {
     pub(super) lost: usize,
 }
 
-impl<const D: usize, const S: usize> Interface<D, S> {
+impl<const D: usize, const M: usize, const S: usize> Interface<D, M, S> {
     /// That of a body; `gaps` are bonds that give way to what completes the border, and `beside` is what bonds that end there leave
     /// to points.
-    pub(super) fn new<const M: usize, B: PlaneBond<D, M, S>>(
+    pub(super) fn new<B: PlaneBond<D, M, S>>(
         (lattice, mirrors): (&SquareLattice, &Mirrors),
         (neighbourhood, bond): (&Neighbourhood<M>, &B),
         mixture: Arc<Mixture>,
         (cuts, gaps): (&HashSet<(usize, usize)>, &[Exception]),
-        beside: &[(usize, usize, f64)],
+        beside: &[(usize, usize, [f64; M])],
     ) -> Self {
         let absent = cuts.iter().copied().chain(gaps.iter().map(|gap| (gap.offset, gap.lower))).collect();
         let bonds = MixedBonds::new((lattice, mirrors), neighbourhood, &mixture, &absent);
-        let whole: Vec<Mat<S, S>> =
-            (0..neighbourhood.offsets.len()).map(|k| modulus(lattice, neighbourhood, bond, k)).collect();
+        let of = |k: usize| units(lattice, bond, neighbourhood.offsets[k]);
+        let units: Vec<[Mat<S, S>; M]> = (0..neighbourhood.offsets.len()).map(of).collect();
         let (mut families, mut stress_count, mut lost): (Vec<Family<D, S, 2>>, _, _) = (Vec::new(), 0, 0);
         for (lacks, tells) in [(&bonds.lacks[..], true), (beside, false)] {
             let mut by_point: BTreeMap<usize, Mat<S, S>> = BTreeMap::new();
-            for &(point, k, part) in lacks {
-                let own = whole[k].map(|row| row.map(|v| part * v));
-                add(by_point.entry(point).or_insert([[0.0; S]; S]), &own);
+            for (point, k, weights) in lacks {
+                let sum = by_point.entry(*point).or_insert([[0.0; S]; S]);
+                for (unit, weight) in units[*k].iter().zip(weights) {
+                    add(sum, &unit.map(|row| row.map(|v| weight * v)));
+                }
             }
             for (point, own) in by_point {
                 let all = triangles_of(lattice, (neighbourhood, bond), (point, &own), cuts, Some(&mixture));
@@ -57,8 +62,8 @@ impl<const D: usize, const S: usize> Interface<D, S> {
             stress_count = if tells { families.len() } else { stress_count };
         }
         let families = Arc::new(Families::new(lattice.points(), families));
-        let MixedBonds { exceptions, uneven, .. } = bonds;
-        Self { mixture, exceptions, uneven, families, stress_count, lost }
+        let MixedBonds { exceptions, between, uneven, .. } = bonds;
+        Self { mixture, exceptions, between, uneven, families, stress_count, lost }
     }
 
     /// The triangles that have one of some pairs of points for a side.
@@ -81,4 +86,13 @@ impl<const D: usize, const S: usize> Interface<D, S> {
     pub(super) fn beside_border(&self) -> &[Family<D, S, 2>] {
         &self.families.list()[self.stress_count..]
     }
+}
+
+/// What each measure of a bond of an offset, at the weight one, resists to uniform states.
+fn units<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+    lattice: &SquareLattice,
+    bond: &B,
+    offset: Cell,
+) -> [Mat<S, S>; M] {
+    from_fn(|m| modulus(lattice, bond, offset, &from_fn(|k| if k == m { 1.0 } else { 0.0 })))
 }

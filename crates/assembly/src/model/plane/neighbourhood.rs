@@ -1,6 +1,8 @@
 //! Neighbours of a point of a lattice and the bonds to them.
 
+use super::mixture::Blend;
 use crate::body::{Cell, minus};
+use std::array::from_fn;
 
 /// Rows, columns and layers up to which offsets always can be sides of triangles.
 const NEXT: i32 = 2;
@@ -13,18 +15,44 @@ pub(in super::super) struct Neighbourhood<const M: usize> {
     pub(in super::super) offsets: Vec<Cell>,
     /// Moduli of the bonds, Pa, per offset; what multiplies them is in the bond. None is negative.
     pub(in super::super) weights: Vec<[f64; M]>,
+    /// The same of points with bonds of their own, table by table from one on.
+    pub(in super::super) others: Vec<Vec<[f64; M]>>,
+    /// What the materials of all tables resist to the measures of the bonds of an offset in uniform states, up to a factor; none where
+    /// there is one table.
+    pub(in super::super) along: Vec<Vec<[f64; M]>>,
     /// Part of the neighbour's volume that counts.
     pub(in super::super) parts: Vec<f64>,
+}
+
+/// What a material has for the bonds of an offset.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct OfMaterial<const M: usize> {
+    pub(in super::super) weights: [f64; M],
+    /// What it resists to their measures in uniform states, up to a factor.
+    pub(in super::super) along: [f64; M],
 }
 
 impl<const M: usize> Neighbourhood<M> {
     /// The offsets that have bonds or can be sides of triangles.
     pub(in super::super) fn new(offsets: &[Cell], weights: &[[f64; M]], parts: &[f64]) -> Self {
-        let is_kept = |k: usize| weights[k].iter().any(|&w| w > 0.0) || is_next(offsets[k]);
-        let kept: Vec<usize> = (0..offsets.len()).filter(|&k| is_kept(k)).collect();
+        Self::of_tables(offsets, (weights, &[]), &[], parts)
+    }
+
+    /// The same where some points have other weights.
+    pub(in super::super) fn of_tables(
+        offsets: &[Cell],
+        (weights, others): (&[[f64; M]], &[Vec<[f64; M]>]),
+        along: &[Vec<[f64; M]>],
+        parts: &[f64],
+    ) -> Self {
+        let all = || others.iter().map(Vec::as_slice).chain([weights]);
+        let has_bonds = |k: usize| all().any(|weights| weights[k].iter().any(|&w| w > 0.0));
+        let kept: Vec<usize> = (0..offsets.len()).filter(|&k| has_bonds(k) || is_next(offsets[k])).collect();
         Self {
             offsets: kept.iter().map(|&k| offsets[k]).collect(),
             weights: kept.iter().map(|&k| weights[k]).collect(),
+            others: others.iter().map(|other| kept.iter().map(|&k| other[k]).collect()).collect(),
+            along: along.iter().map(|of| kept.iter().map(|&k| of[k]).collect()).collect(),
             parts: kept.iter().map(|&k| parts[k]).collect(),
         }
     }
@@ -36,7 +64,47 @@ impl<const M: usize> Neighbourhood<M> {
 
     /// Whether there are bonds of an offset.
     pub(in super::super) fn has_bonds(&self, offset: usize) -> bool {
-        self.weights[offset].iter().any(|&w| w > 0.0)
+        (0..=self.others.len()).any(|table| self.weights_of(table, offset).iter().any(|&w| w > 0.0))
+    }
+
+    /// Weights of an offset in a table.
+    pub(in super::super) fn weights_of(&self, table: usize, offset: usize) -> &[f64; M] {
+        if table == 0 { &self.weights[offset] } else { &self.others[table - 1][offset] }
+    }
+
+    /// The same where all points have the weights of a table.
+    pub(in super::super) fn of_one(&self, table: usize) -> Self {
+        let weights = (0..self.offsets.len()).map(|offset| *self.weights_of(table, offset)).collect();
+        Self { weights, others: Vec::new(), along: Vec::new(), ..self.clone() }
+    }
+
+    /// Number of materials with tables of their own, less the blends among the tables.
+    pub(in super::super) fn materials(&self, blends: usize) -> usize {
+        self.others.len() + 1 - blends
+    }
+
+    /// The same with the tables of the first `materials` and of blends of these.
+    pub(in super::super) fn with_blends(&self, materials: usize, blends: &[Blend]) -> Self {
+        let of = |blend: &Blend, tables: &dyn Fn(usize, usize) -> [f64; M]| -> Vec<[f64; M]> {
+            let sum = |offset: usize, m: usize| {
+                blend.iter().enumerate().map(|(k, part)| part * tables(k, offset)[m]).sum()
+            };
+            (0..self.offsets.len()).map(|offset| from_fn(|m| sum(offset, m))).collect()
+        };
+        let (mut others, mut along) = (self.others.clone(), self.along.clone());
+        others.truncate(materials - 1);
+        others.extend(blends.iter().map(|blend| of(blend, &|table, offset| *self.weights_of(table, offset))));
+        along.truncate(materials);
+        along.extend(
+            blends.iter().map(|blend| of(blend, &|table, offset| self.of_material(table, offset).along)),
+        );
+        Self { others, along, ..self.clone() }
+    }
+
+    /// What the material of a table has for an offset.
+    pub(in super::super) fn of_material(&self, table: usize, offset: usize) -> OfMaterial<M> {
+        let weights = *self.weights_of(table, offset);
+        OfMaterial { weights, along: self.along.get(table).map_or(weights, |of| of[offset]) }
     }
 
     /// Largest offset of a bond, rows, columns or layers.

@@ -124,13 +124,14 @@ impl SolidBody {
         let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, gaps);
         overlay.uncorrected = border.as_ref().map_or(overlay.uncorrected, |border| border.lost);
         let mut interface = mixture.map(|mixture| {
-            let beside: &[(usize, usize, f64)] = border.as_ref().map_or(&[], |border| &border.lacks);
+            let beside: &[(usize, usize, [f64; 1])] = border.as_ref().map_or(&[], |border| &border.lacks);
             Box::new(Interface::new((&lattice, &mirrors), (&law, bond), mixture, (&known, gaps), beside))
         });
         overlay.uncorrected += interface.as_ref().map_or(0, |interface| interface.lost);
         let base = vec![1.0; neighbourhood.offsets.len()];
-        let grid =
-            |exceptions: &[Exception]| Arc::new(grid(&lattice, neighbourhood, &base, &bond, exceptions));
+        let grid = |exceptions: &[Exception]| {
+            Arc::new(grid(&lattice, neighbourhood, &base, &bond, exceptions, (None, &[])))
+        };
         let mut exceptions: Vec<Exception> = cuts.iter().map(gap).chain(gaps.iter().copied()).collect();
         exceptions.extend(interface.iter_mut().flat_map(|own| std::mem::take(&mut own.exceptions)));
         let ghosts = mirrors.ghosts(&lattice);
@@ -215,7 +216,7 @@ impl SolidBody {
         };
         let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.neighbourhood.reach()));
         let cuts = cuts(&coarse, &self.law.neighbourhood.offsets);
-        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors)));
+        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors), 1));
         let coarse = Arc::new(coarse);
         let of = |mixture| Self::new(coarse.clone(), mirrors, self.law.clone(), &cuts, mixture).ok();
         // Where no bonds end on the border of the coarser lattice it is of one material.

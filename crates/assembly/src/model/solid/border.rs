@@ -29,7 +29,7 @@ pub(super) struct Border {
     /// Rows of the dilatation of points that bonds on the border bring, by steps from them, per m.
     pub(super) rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
     /// What bonds of several materials leave to points: these, offsets, and parts of a bond of the base material.
-    pub(super) lacks: Vec<(usize, usize, f64)>,
+    pub(super) lacks: Vec<(usize, usize, [f64; 1])>,
     /// Number of cells whose bonds are left out, because the body is too thin there to tell how they move.
     pub(super) lost: usize,
 }
@@ -96,18 +96,22 @@ impl Border {
                     if let Some(through) = through {
                         let own = run.ends_of(mirrors).into_iter().zip(through.lacks);
                         let own = own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, lack)));
-                        let own = own.filter(|own| own.1 > 0.0);
-                        lacks.extend(own.map(|(point, lack)| (point, offset, run.share() * lack)));
+                        let own = own.filter(|own| own.1 != [0.0]);
+                        let [weight] = law.neighbourhood.weights[offset];
+                        let part = run.share() * weight;
+                        lacks.extend(own.map(|(point, [lack])| (point, offset, [part * lack])));
                     }
                     builder.add(
                         offset,
                         run,
-                        part * run.share() * through.map_or(1.0, |through| through.factor),
+                        part * run.share() * through.map_or(1.0, |through| through.weights[0]),
                     )
                 }
                 Some(dilatation) => {
                     let whole = |own: u32| match (mixture, through) {
-                        (Some(mixture), Some(through)) => Part::new(mixture.of(own as usize), through.factor),
+                        (Some(mixture), Some(through)) => {
+                            Part::new(mixture.of(own as usize), through.weights[0])
+                        }
                         _ => Part { own: 1.0, seen: 1.0 },
                     };
                     builder.add_sides(offset, run, (dilatation.shares[offset], &whole), &mut lacks)
@@ -158,7 +162,7 @@ impl Builder<'_> {
         offset: usize,
         run: &Run,
         (share, part): (f64, &dyn Fn(u32) -> Part),
-        lacks: &mut Vec<(usize, usize, f64)>,
+        lacks: &mut Vec<(usize, usize, [f64; 1])>,
     ) -> Option<()> {
         let cells = &self.nodes.cells;
         let spacing = cells.lattice.spacing();
@@ -180,7 +184,8 @@ impl Builder<'_> {
             }
             self.add(offset, run, 0.5 * modulus * seen)?;
             if seen < 1.0 {
-                lacks.push((point as usize, offset, 0.5 * modulus * (1.0 - seen)));
+                let [weight] = self.law.neighbourhood.weights[offset];
+                lacks.push((point as usize, offset, [0.5 * modulus * (1.0 - seen) * weight]));
             }
         }
         Some(())

@@ -17,7 +17,7 @@ pub(super) struct Interface {
     pub(super) mixture: Arc<Mixture>,
     /// Factors of bonds by offset and lower point.
     pub(super) exceptions: Vec<Exception>,
-    pub(super) uneven: UnevenBonds,
+    pub(super) uneven: UnevenBonds<1>,
     /// Tetrahedra that give back what points lack: first of bonds between points, then of those that end on the border.
     pub(super) families: Arc<Families<3, TENSOR, 3>>,
     /// Number of the first ones, which tell stresses, too.
@@ -35,22 +35,22 @@ impl Interface {
         (law, bond): (&SolidLaw, SolidBond),
         mixture: Arc<Mixture>,
         (cuts, gaps): (&HashSet<(usize, usize)>, &[Exception]),
-        beside: &[(usize, usize, f64)],
+        beside: &[(usize, usize, [f64; 1])],
     ) -> Self {
         let neighbourhood = &law.neighbourhood;
         let absent = cuts.iter().copied().chain(gaps.iter().map(|gap| (gap.offset, gap.lower))).collect();
         let bonds = MixedBonds::new((lattice, mirrors), neighbourhood, &mixture, &absent);
-        let whole = |k: usize| -> Mat<TENSOR, TENSOR> {
+        let unit = |k: usize| -> Mat<TENSOR, TENSOR> {
             let geometry = BondGeometry { xi: lattice.vector(neighbourhood.offsets[k]) };
             let (uniform, [unit]) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
-            block(&uniform, &[neighbourhood.weights[k][0] * unit], &uniform)
+            block(&uniform, &[unit], &uniform)
         };
-        let whole: Vec<Mat<TENSOR, TENSOR>> = (0..neighbourhood.offsets.len()).map(whole).collect();
+        let unit: Vec<Mat<TENSOR, TENSOR>> = (0..neighbourhood.offsets.len()).map(unit).collect();
         let (mut families, mut stress_count, mut lost) = (Vec::new(), 0, 0);
         for (lacks, tells) in [(&bonds.lacks[..], true), (beside, false)] {
             let mut by_point: BTreeMap<usize, Mat<TENSOR, TENSOR>> = BTreeMap::new();
-            for &(point, k, part) in lacks {
-                let own = whole[k].map(|row| row.map(|v| part * v));
+            for &(point, k, [weight]) in lacks {
+                let own = unit[k].map(|row| row.map(|v| weight * v));
                 add(by_point.entry(point).or_insert([[0.0; TENSOR]; TENSOR]), &own);
             }
             for (point, own) in by_point {
@@ -77,7 +77,7 @@ impl Interface {
         let (cell, path) = (lattice.cell(point), Path::of(step));
         let pieces = path.pieces().map(|(piece, part)| (plus(cell, piece), part));
         let through = self.mixture.through((lattice, &self.mirrors), pieces);
-        1.0 - 2.0 * through.lacks[0] / self.mixture.of(point)
+        1.0 - 2.0 * through.lacks[0][0] / self.mixture.of(point)
     }
 
     /// The tetrahedra by their points.
@@ -107,10 +107,10 @@ impl Interface {
 /// Those of some tetrahedra that have no softer points, if there are such.
 fn stiff(lattice: &SquareLattice, mixture: &Mixture, point: usize, all: Vec<Corners>) -> Vec<Corners> {
     let cell = lattice.cell(point);
-    let is_softer = |step: &[i32; 3]| {
-        lattice.number(plus(cell, *step)).is_some_and(|other| mixture.is_softer(other, point))
+    let strains_apart = |step: &[i32; 3]| {
+        lattice.number(plus(cell, *step)).is_some_and(|other| mixture.strains_apart(other, point))
     };
-    let stiff: Vec<Corners> = all.iter().copied().filter(|c| !c.iter().any(is_softer)).collect();
+    let stiff: Vec<Corners> = all.iter().copied().filter(|c| !c.iter().any(strains_apart)).collect();
     if stiff.is_empty() { all } else { stiff }
 }
 

@@ -113,7 +113,13 @@ impl SolidMaterial for StateSolidParameters {
         let parts: Vec<f64> = offsets.iter().map(|&step| self.part_of(step)).collect();
         let Weights { of: weights, q } = self.weights(&offsets, &parts)?;
         let mut law = SolidLaw {
-            neighbourhood: Neighbourhood { offsets: Vec::new(), weights: Vec::new(), parts: Vec::new() },
+            neighbourhood: Neighbourhood {
+                offsets: Vec::new(),
+                weights: Vec::new(),
+                others: Vec::new(),
+                along: Vec::new(),
+                parts: Vec::new(),
+            },
             dilatation: None,
             youngs_modulus: self.youngs_modulus,
             poisson_ratio,

@@ -84,7 +84,7 @@ pub(super) struct Chunks {
     /// first column; none where there is no such line.
     lines: Vec<u32>,
     /// Per exceptional chunk, `[offset][upwards or downwards][point]`: factors of the bonds of its points as the lower
-    /// and as the upper one. Where measures of a bond have factors of their own, `[offset][upwards or downwards][measure][point]`.
+    /// and as the upper one. Where every measure of a bond has one, `[offset][upwards or downwards][measure][point]`.
     factors: Vec<f64>,
 }
 
@@ -194,17 +194,25 @@ impl Chunks {
         }
     }
 
-    /// Gives every measure of a bond a factor of its own; before any bond of the chunk gets one for all.
-    pub(super) fn spread(&mut self, plane: usize, point: usize, factors: &[f64]) {
+    /// Gives every measure of a bond a factor of its own; before any bond of the chunk gets one for all. The factors of its other
+    /// bonds become the weights of its table, by offset, and its table the one of unit weights behind `tables`.
+    pub(super) fn spread<const M: usize>(
+        &mut self,
+        (plane, point): (usize, usize),
+        factors: [f64; M],
+        tables: &[&[[f64; M]]],
+    ) {
         let index = self.index_of(point);
         let chunk = &mut self.all[index];
         if chunk.factors == NONE {
             (chunk.factors, chunk.is_spread) = (self.factors.len() as u32, true);
-            self.factors.resize(self.factors.len() + 2 * self.classes * self.measures * CHUNK, 1.0);
+            let planes = tables[chunk.table()].iter().flat_map(|own| [own, own]).flatten();
+            planes.for_each(|own| self.factors.resize(self.factors.len() + CHUNK, *own));
+            chunk.table = tables.len() as u8;
         }
         let first = chunk.factors as usize + point - chunk.first as usize;
         for (plane, factor) in (plane * self.measures..).zip(factors) {
-            self.factors[first + plane * CHUNK] = *factor;
+            self.factors[first + plane * CHUNK] = factor;
         }
     }
 

@@ -9,14 +9,17 @@ mod gather;
 mod precision;
 mod shares;
 mod survey;
+mod tables;
+mod visit;
 
 pub use chunks::Exception;
+pub use tables::{Between, Tables};
 
 use super::{BlockMatrix, ConnectedParts, Survey, TakeForces, Term, Twofold, twofold};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, BondModel, Mat};
 use crate::sum::Sum;
-use chunks::{CHUNK, Chunk, Chunks};
+use chunks::{CHUNK, Chunks};
 use precision::Precision;
 use std::array::from_fn;
 use std::marker::PhantomData;
@@ -28,28 +31,6 @@ pub struct Offset<const M: usize> {
     /// From the lower point of a bond to the other, cells: to a higher layer, up in the same one, or to the right in the same row.
     pub step: Cell,
     /// Multiply the moduli of the bonds, >= 0.
-    pub weights: [f64; M],
-}
-
-/// Bonds of a lattice whose points do not all have the same weights.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Tables<'a, const M: usize> {
-    /// Table of every point: zero has the weights of the offsets themselves.
-    pub of: &'a [u8],
-    /// Weights by offset of the tables from one on.
-    pub others: &'a [Vec<[f64; M]>],
-    /// Bonds between points of two tables.
-    pub between: &'a [Between<M>],
-}
-
-/// A bond between points of two tables.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Between<const M: usize> {
-    /// Index of the offset.
-    pub offset: usize,
-    /// Lower point.
-    pub lower: usize,
-    /// Multiply the moduli of the bond, >= 0: zero where one of the tables has zero.
     pub weights: [f64; M],
 }
 
@@ -108,7 +89,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// The same of points that have other weights than those of the offsets.
     ///
     /// # Panics
-    /// As [`new`](Self::new); a point has a table that is not there, or a bond goes from a table to the same one.
+    /// As [`new`](Self::new); a point has a table that is not there, or there are more than 254 others.
     pub fn of_tables(
         lattice: Arc<SquareLattice>,
         model: &B,
@@ -133,27 +114,13 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         };
         let steps: Vec<Cell> = offsets.iter().map(|o| o.step).collect();
         let base: Vec<[f64; M]> = offsets.iter().map(|o| o.weights).collect();
-        let all = || std::iter::once(&base).chain(tables.others);
-        let classes: Vec<Class<D, M>> = all()
-            .flat_map(|weights| steps.iter().zip(weights).map(|(step, own)| class(*step, own)))
-            .collect();
-        let mut chunks = Chunks::new(&lattice, (&steps, M), tables.of);
-        for bond in tables.between {
-            let Some(upper) = lattice.number(plus(lattice.cell(bond.lower), steps[bond.offset])) else {
-                continue;
-            };
-            let plane = 2 * bond.offset;
-            for (plane, point) in [(plane, bond.lower), (plane + 1, upper)] {
-                let table = usize::from(tables.of[point]);
-                let own = if table == 0 { &base } else { &tables.others[table - 1] };
-                let part = |(weight, own): (f64, f64)| if own > 0.0 { weight / own } else { 0.0 };
-                chunks.spread(
-                    plane,
-                    point,
-                    &from_fn::<f64, M, _>(|m| part((bond.weights[m], own[bond.offset][m]))),
-                );
-            }
-        }
+        let known: Vec<&[[f64; M]]> =
+            std::iter::once(&base).chain(tables.others).map(Vec::as_slice).collect();
+        let unit = vec![[1.0; M]; if tables.between.is_empty() { 0 } else { steps.len() }];
+        let all = known.iter().copied().chain([&unit[..]]);
+        let classes: Vec<Class<D, M>> =
+            all.flat_map(|weights| steps.iter().zip(weights).map(|(step, own)| class(*step, own))).collect();
+        let mut chunks = tables.chunks(&lattice, &steps, &known);
         for e in exceptions.iter().filter(|e| e.factor != 1.0) {
             if let Some(upper) = lattice.number(plus(lattice.cell(e.lower), steps[e.offset])) {
                 chunks.multiply(2 * e.offset, e.lower, e.factor);
@@ -170,17 +137,6 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// The offsets with the moduli of the first table.
     fn offsets(&self) -> &[Class<D, M>] {
         &self.classes[..self.offsets]
-    }
-
-    /// Moduli of the bond of an offset whose lower point is the k-th of a chunk.
-    fn moduli_of(&self, chunk: &Chunk, offset: usize, k: usize) -> [f64; M] {
-        let own = &f64::classes_of(self, chunk)[offset].modulus;
-        from_fn(|m| own[m] * self.chunks.factor(chunk, (offset, m), k))
-    }
-
-    /// Whether there is the bond of an offset whose lower point is the k-th of a chunk, if there is its other one.
-    fn has(&self, chunk: &Chunk, offset: usize, k: usize) -> bool {
-        self.moduli_of(chunk, offset, k) != [0.0; M]
     }
 
     /// The same with a factor for every bond, by index of its offset and its points, the lower one first.
@@ -212,59 +168,6 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// The lattice.
     pub fn lattice(&self) -> &Arc<SquareLattice> {
         &self.lattice
-    }
-
-    /// Calls `visit` with every bond: index of its offset, its points, the factors of its measures, of which one is not zero.
-    pub fn for_each_bond(&self, mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
-        for chunk in self.chunks.all() {
-            self.for_each_bond_of(chunk, &mut visit);
-        }
-    }
-
-    /// Calls `visit` with every bond: index of its offset, its points, its moduli.
-    pub fn for_each_with_moduli(&self, mut visit: impl FnMut(usize, [usize; 2], [f64; M])) {
-        for chunk in self.chunks.all() {
-            let classes = f64::classes_of(self, chunk);
-            self.for_each_bond_of(chunk, &mut |index, ends, factors| {
-                visit(index, ends, from_fn(|m| factors[m] * classes[index].modulus[m]));
-            });
-        }
-    }
-
-    /// The bonds whose lower points are those of a chunk.
-    fn for_each_bond_of(&self, chunk: &Chunk, visit: &mut impl FnMut(usize, [usize; 2], [f64; M])) {
-        for (index, class) in f64::classes_of(self, chunk).iter().enumerate() {
-            if class.modulus == [0.0; M] {
-                continue;
-            }
-            let all: [_; M] = from_fn(|m| self.chunks.factors_of(chunk, (index, 0), m));
-            self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
-                let k = (columns.start - chunk.from) as usize;
-                for (k, other) in (k..k + columns.len()).zip(other..) {
-                    let factors: [f64; M] = all.map(|of| of.map_or(1.0, |of| of[k]));
-                    if factors != [0.0; M] {
-                        visit(index, [chunk.first as usize + k, other], factors);
-                    }
-                }
-            });
-        }
-    }
-
-    fn count(&self) -> usize {
-        let mut count = 0;
-        for chunk in self.chunks.all() {
-            for (index, class) in f64::classes_of(self, chunk).iter().enumerate() {
-                self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, _| {
-                    let k = (columns.start - chunk.from) as usize;
-                    count += match chunk.is_plain() {
-                        true if class.modulus == [0.0; M] => 0,
-                        true => columns.len(),
-                        false => (k..k + columns.len()).filter(|k| self.has(chunk, index, *k)).count(),
-                    };
-                });
-            }
-        }
-        count
     }
 }
 

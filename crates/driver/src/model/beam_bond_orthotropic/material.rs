@@ -9,7 +9,7 @@ use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::Cell;
 use peristat_assembly::model::beam_bond_orthotropic::{
-    BeamBondOrthotropic, BeamNeighbourhood, OrthotropicError, crossing_bonds,
+    BeamBondOrthotropic, BeamNeighbourhood, Laminae, OrthotropicError, crossing_bonds,
 };
 use peristat_assembly::model::plane::Edges;
 use peristat_assembly::model::plane::toughness::CrossingBonds;
@@ -48,7 +48,7 @@ impl Material for BeamBonds {
     }
 
     fn usual_horizon_ratio(&self) -> f64 {
-        resolve::horizon_ratio(&self.parameters)
+        resolve::horizon_ratio(&self.parameters, &self.angles())
     }
 
     fn boxed(&self) -> Box<dyn Material> {
@@ -62,7 +62,7 @@ impl Material for BeamBonds {
 
     fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
         if self.parameters.edges.is_exact() {
-            return Ok(vec![("stiffness_factor", 1.0)]);
+            return Ok(vec![("stiffness_factor", 1.0), ("fibre_angle", self.keys.fibre_angle)]);
         }
         let hint = "leave out `edges` and `calibration`".into();
         Err(("several materials need the edges `border` or `overlay`", hint))
@@ -83,18 +83,21 @@ impl Material for BeamBonds {
     }
 
     fn offsets(&self) -> Result<Vec<Cell>, Refusal> {
-        BeamBondOrthotropic::offsets(&self.parameters).map_err(self.refusal())
+        BeamBondOrthotropic::offsets(&self.parameters, &self.angles()).map_err(self.refusal())
     }
 
     fn depth(&self) -> Result<i32, Refusal> {
-        BeamBondOrthotropic::depth(&self.parameters).map_err(self.refusal())
+        BeamBondOrthotropic::depth(&self.parameters, &self.angles()).map_err(self.refusal())
     }
 
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors));
-        let body = BeamBondOrthotropic::mixed(lattice, on.mirrors, self.parameters, &cuts, factors);
+        let (real, materials) = ((on.real, &on.mirrors), on.materials);
+        let lamina = |own: Option<usize>| self.lamina(own.and_then(|own| materials.fibre_angle(own)));
+        let laminae = Laminae { angles: self.angles(), of: materials.each(&lattice, real, lamina) };
+        let parts = (materials.on_images(&lattice, real), laminae);
+        let body = BeamBondOrthotropic::mixed(lattice, on.mirrors, self.parameters, &cuts, parts);
         Ok(AnyBody::Three(Box::new(body.map_err(self.refusal())?)))
     }
 

@@ -24,6 +24,26 @@ const OBLIQUE: f64 = 3.2;
 struct BeamBonds {
     keys: Orthotropic,
     parameters: OrthotropicParameters,
+    /// Angles of the fibres of other laminae, degrees.
+    angles: Vec<f64>,
+}
+
+impl BeamBonds {
+    /// The lamina of points with fibres at an angle from x, degrees: zero that of the model.
+    fn lamina(&self, angle: Option<f64>) -> u8 {
+        let own = angle.and_then(|angle| self.angles.iter().position(|other| are_alike(*other, angle)));
+        own.map_or(0, |place| place as u8 + 1)
+    }
+
+    /// Angles of the fibres of other laminae, rad.
+    fn angles(&self) -> Vec<f64> {
+        self.angles.iter().map(|angle| angle.to_radians()).collect()
+    }
+}
+
+/// Whether fibres at two angles, degrees, are the same.
+fn are_alike(a: f64, b: f64) -> bool {
+    (a - b) % 180.0 == 0.0
 }
 
 /// Why bonds of a calibration cannot be made.

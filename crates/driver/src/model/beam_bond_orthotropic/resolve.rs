@@ -1,7 +1,7 @@
 //! What the keys become.
 
 use super::super::{Asked, BodyKind, Keys, Material, Model, Refused};
-use super::{BeamBonds, LatticeRows, NAME, OBLIQUE, Orthotropic, refusal};
+use super::{BeamBonds, LatticeRows, NAME, OBLIQUE, Orthotropic, are_alike, refusal};
 use crate::diagnostic::{Faults, JsonPath, positive, root, tidy};
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamNeighbourhood, OrthotropicError, OrthotropicMaterial, OrthotropicParameters, Start,
@@ -48,7 +48,7 @@ impl Keys for Orthotropic {
     fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
         let mut keys = self.clone();
         let parameters = parameters(&mut keys, asked, faults)?;
-        Some(Box::new(BeamBonds { keys, parameters }))
+        Some(Box::new(BeamBonds { keys, parameters, angles: self.other_angles(asked) }))
     }
 }
 
@@ -115,17 +115,32 @@ fn path() -> JsonPath {
     root("model").key(NAME)
 }
 
+impl Orthotropic {
+    /// The angles of fibres of materials of regions that differ, and are not that of the model, degrees.
+    fn other_angles(&self, asked: &Asked) -> Vec<f64> {
+        let mut found: Vec<f64> = Vec::new();
+        for &angle in &asked.fibre_angles {
+            let is_own = are_alike(self.fibre_angle, angle);
+            if !is_own && !found.iter().any(|own| are_alike(*own, angle)) {
+                found.push(angle);
+            }
+        }
+        found
+    }
+}
+
 /// Mirrors need fibres along or across them.
 fn has_no_mirrors_across_fibres(model: &Orthotropic, asked: &Asked, faults: &mut Faults) -> bool {
-    if asked.symmetry.is_empty() || model.fibre_angle % 90.0 == 0.0 {
+    let mut angles = [model.fibre_angle].into_iter().chain(asked.fibre_angles.iter().copied());
+    let Some(angle) = angles.find(|angle| !asked.symmetry.is_empty() && angle % 90.0 != 0.0) else {
         return true;
-    }
+    };
     faults
         .error(
             root("symmetry"),
             format!(
                 "a mirror would turn the fibres from {0} to -{0} degrees: the body is not symmetric",
-                tidy(model.fibre_angle)
+                tidy(angle)
             ),
         )
         .hint("model the whole body; fibres along x or y have mirrors");
@@ -138,19 +153,21 @@ fn is_isotropic(model: &Orthotropic) -> bool {
     model.youngs_modulus_1 == model.youngs_modulus_2 && (model.shear_modulus_12 / shear - 1.0).abs() < 1e-9
 }
 
-/// The horizon ratio of a case that gives none.
-pub(super) fn horizon_ratio(parameters: &OrthotropicParameters) -> f64 {
-    let aligned = OrthotropicParameters {
-        horizon_ratio: ALIGNED,
-        calibration: Calibration::Matched,
-        start: Some(Start::Aligned),
-        edges: Edges::None,
-        ..*parameters
+/// The horizon ratio of a case that gives none; `angles` are those of other laminae, rad.
+pub(super) fn horizon_ratio(parameters: &OrthotropicParameters, angles: &[f64]) -> f64 {
+    let lies_between_bonds = |fibre_angle: f64| {
+        let aligned = OrthotropicParameters {
+            fibre_angle,
+            horizon_ratio: ALIGNED,
+            calibration: Calibration::Matched,
+            start: Some(Start::Aligned),
+            edges: Edges::None,
+            ..*parameters
+        };
+        matches!(BeamNeighbourhood::new(&aligned), Err(OrthotropicError::NoFibreBonds { .. }))
     };
-    match BeamNeighbourhood::new(&aligned) {
-        Err(OrthotropicError::NoFibreBonds { .. }) => OBLIQUE,
-        _ => ALIGNED,
-    }
+    let mut all = [parameters.fibre_angle].into_iter().chain(angles.iter().copied());
+    if all.any(lies_between_bonds) { OBLIQUE } else { ALIGNED }
 }
 
 /// The start that the calibration `matched` has taken.

@@ -63,7 +63,10 @@ fn of_part(part: &EigenstrainPart, surface: Surface, model: &dyn BodyModel) -> (
         match own {
             Some(own) => part.free.iter().zip(own).map(|(free, s)| free * s).collect(),
             None => {
-                let at = |(p, free): (usize, &f64)| free * value * unit.stiffness(model, p);
+                let at = |(p, free): (usize, &f64)| match *free {
+                    0.0 => 0.0,
+                    free => free * value * unit.stiffness(model, p),
+                };
                 part.free.iter().enumerate().map(at).collect()
             }
         }
@@ -87,7 +90,7 @@ fn of_part(part: &EigenstrainPart, surface: Surface, model: &dyn BodyModel) -> (
 
 /// What is recovered where a body stretches by a unit, a linear motion of no rotation.
 fn stretched(part: &EigenstrainPart, surface: Surface, model: &dyn BodyModel) -> BodyFields {
-    let strain = model.strains_of(part.unit.stress, part.unit.across_stress);
+    let strain = part.unit.in_plane();
     let of = |name: &str| component(model, name).map_or(0.0, |k| strain[k]);
     let (half_xy, half_yz, half_xz) = (0.5 * of("xy"), 0.5 * of("yz"), 0.5 * of("xz"));
     let rows = [[of("xx"), half_xy, half_xz], [half_xy, of("yy"), half_yz], [half_xz, half_yz, of("zz")]];

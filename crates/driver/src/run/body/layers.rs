@@ -119,9 +119,10 @@ fn squared_roots(fibres: &Fibres) -> [f64; 2] {
 fn pull(scene: &BodyScene, fibres: &Fibres, u: &[f64]) -> [f64; 2] {
     let stress = scene.model.recover(u).stress;
     let [xx, yy, xy] = &stress[..] else { return [0.0; 2] };
-    let (s, c) = fibres.angle.sin_cos();
     let mut pull = [0.0; 2];
     for p in scene.real_points() {
+        let own = scene.material_of(p).and_then(|material| material.fibre_angle);
+        let (s, c) = own.map_or(fibres.angle, f64::to_radians).sin_cos();
         let shear = 2.0 * s * c * xy[p];
         let along = c * c * xx[p] + s * s * yy[p] + shear;
         let across = s * s * xx[p] + c * c * yy[p] - shear;

@@ -16,7 +16,7 @@ pub(super) struct Medium<'a> {
     pub(super) model: &'a dyn BodyModel,
     /// Places of [`COMPONENTS`] among those of the model.
     places: [Option<usize>; COMPONENTS.len()],
-    /// Angle of the fibres from x, rad.
+    /// Angle of the fibres of the base material from x, rad.
     pub(super) fibre_angle: Option<f64>,
     pub(super) strengths: Option<&'a Strengths>,
     /// Whose points can be of other materials.
@@ -44,9 +44,15 @@ impl<'a> Medium<'a> {
         own.or(self.strengths)
     }
 
-    /// Stresses in the axes of the fibres.
-    fn fibre_stress(&self, [x, y, xy, ..]: [f64; TENSOR]) -> Option<[f64; 3]> {
-        self.fibre_angle.map(|angle| failure::in_fibre_axes([x, y, xy], angle))
+    /// Angle of the fibres of a point from x, rad.
+    fn fibre_angle(&self, point: usize) -> Option<f64> {
+        let own = self.scene.and_then(|scene| scene.material_of(point)?.fibre_angle);
+        own.map(f64::to_radians).or(self.fibre_angle)
+    }
+
+    /// Stresses of a point in the axes of its fibres.
+    fn fibre_stress(&self, (point, [x, y, xy, ..]): (usize, [f64; TENSOR])) -> Option<[f64; 3]> {
+        self.fibre_angle(point).map(|angle| failure::in_fibre_axes([x, y, xy], angle))
     }
 
     /// The index of a criterion.
@@ -55,7 +61,7 @@ impl<'a> Medium<'a> {
         criterion: fn([f64; 3], &Strengths) -> Option<f64>,
         (point, stress): (usize, [f64; TENSOR]),
     ) -> Option<f64> {
-        criterion(self.fibre_stress(stress)?, self.strengths(point)?)
+        criterion(self.fibre_stress((point, stress))?, self.strengths(point)?)
     }
 }
 
@@ -128,10 +134,10 @@ pub(super) fn of_stress(
             // A shear of −0 would turn it by half a turn.
             Some(0.5 * (2.0 * s[(0, 1)] + 0.0).atan2(s[(0, 0)] - s[(1, 1)]))
         }
-        Origin::FibreStress(k) => Some(medium.fibre_stress(stress)?[k]),
+        Origin::FibreStress(k) => Some(medium.fibre_stress((point, stress))?[k]),
         Origin::FibreStrain(k) => {
             let [x, y, gamma, ..] = model.strains_at(point, stress, across);
-            Some(failure::in_fibre_axes([x, y, 0.5 * gamma], medium.fibre_angle?)[k])
+            Some(failure::in_fibre_axes([x, y, 0.5 * gamma], medium.fibre_angle(point)?)[k])
         }
         Origin::TsaiHill => medium.index(failure::tsai_hill, (point, stress)),
         Origin::TsaiWu => medium.index(failure::tsai_wu, (point, stress)),

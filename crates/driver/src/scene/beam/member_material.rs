@@ -41,6 +41,11 @@ pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults
                 .error(path.key("stiffness_factor"), "`stiffness_factor` is of plates with fibres")
                 .hint("give the `youngs_modulus` of the members");
         }
+        if material.fibre_angle.is_some() {
+            faults
+                .error(path.key("fibre_angle"), "`fibre_angle` is of plates with fibres")
+                .hint("leave it out");
+        }
         if material.density.is_some() {
             faults
                 .error(path.key("density"), "`density` is that of all members, beside `model`")

@@ -93,6 +93,7 @@ fn region(given: &RegionMaterial, ground: &Ground, path: &JsonPath, faults: &mut
 fn check_keys(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults) {
     let foreign = [
         ("shear_modulus", given.shear_modulus.is_some(), "that of a plate follows from its other moduli"),
+        ("fibre_angle", given.fibre_angle.is_some(), "leave it out"),
         ("stiffness_factor", given.stiffness_factor.is_some(), "give the `youngs_modulus` of the region"),
         ("density", given.density.is_some(), "give the weight of a region as a `pressure` on it"),
         ("strengths", given.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),

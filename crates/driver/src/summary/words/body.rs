@@ -21,6 +21,7 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
         let mut own: String =
             own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
         own.extend(other.stiffness_factor.map(|factor| format!(", moduli times {}", text(factor))));
+        own.extend(other.fibre_angle.map(|angle| format!(", fibres at {}°", number(angle))));
         own.extend(other.poisson_ratio.map(|nu| format!(", ν = {}", number(nu))));
         own.extend(other.critical_stretch.map(|own| format!(", breaks at a stretch of {}", text(own))));
         own.extend(other.interface_stretch.map(|own| format!(", its interface at {}", text(own))));

@@ -47,7 +47,7 @@ pub(in super::super) struct Completion<const D: usize, const M: usize, const S: 
     pub(in super::super) strains: Option<Box<Strains>>,
     /// What bonds of several materials that end on the border leave to points: these, offsets, and parts of a bond of the base
     /// material.
-    pub(in super::super) lacks: Vec<(usize, usize, f64)>,
+    pub(in super::super) lacks: Vec<(usize, usize, [f64; M])>,
 }
 
 /// What takes the place of bonds that a border cuts off.

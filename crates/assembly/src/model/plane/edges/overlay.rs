@@ -11,9 +11,10 @@ use super::super::geometry;
 use super::super::mixture::Mixture;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
+use super::cut::modulus;
 use super::deficit::Shares;
 use crate::body::{Cell, SquareLattice, minus, plus};
-use crate::bonds::{Mat, add, block};
+use crate::bonds::{Mat, add};
 use crate::stiffness::{Exception, Family};
 use std::collections::{HashMap, HashSet};
 
@@ -36,11 +37,13 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
     (cuts, mixture): (&HashSet<(usize, usize)>, Option<&Mixture>),
     gaps: &[Exception],
 ) -> Overlay<D, S> {
-    let shares = Shares::new(neighbourhood, |k| {
-        let geometry = geometry(lattice, neighbourhood.offsets[k]);
-        let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
-        block(&uniform, &std::array::from_fn(|m| 0.5 * neighbourhood.weights[k][m] * unit[m]), &uniform)
-    });
+    let of_table = |table: usize| {
+        Shares::new(neighbourhood, |k| {
+            let half = neighbourhood.weights_of(table, k).map(|weight| 0.5 * weight);
+            modulus(lattice, bond, neighbourhood.offsets[k], &half)
+        })
+    };
+    let shares: Vec<Shares<S>> = (0..=neighbourhood.others.len()).map(of_table).collect();
     let mut overlay = Overlay { triangles: Vec::new(), uncorrected: 0 };
     let mut across: HashMap<usize, Vec<(usize, f64)>> = HashMap::new();
     for gap in gaps {
@@ -51,6 +54,7 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
     }
     for point in points {
         let cell = lattice.cell(point);
+        let shares = &shares[mixture.map_or(0, |mixture| mixture.table(point))];
         let Some(mut deficit) = shares.deficit(lattice, cell) else { continue };
         let own = across.get(&point).into_iter().flatten();
         own.for_each(|&(offset, part)| {
@@ -72,7 +76,7 @@ fn scaled<const S: usize>(matrix: &Mat<S, S>, factor: f64) -> Mat<S, S> {
 }
 
 /// The triangles that give a point what it lacks, equal parts of it each: but those with a cut side, and in a mixture those with
-/// softer points, if there are others.
+/// points whose strains are others, if some are left.
 pub(in super::super) fn triangles_of<
     const D: usize,
     const M: usize,
@@ -96,11 +100,11 @@ pub(in super::super) fn triangles_of<
             .all(|(from, to)| !is_cut(lattice, neighbourhood, cuts, from, to))
     });
     if let Some(mixture) = mixture {
-        let is_softer =
-            |cell: &Cell| lattice.number(*cell).is_some_and(|other| mixture.is_softer(other, point));
-        let stiff: Vec<Corners> = corners.iter().copied().filter(|c| !c.iter().any(is_softer)).collect();
-        if !stiff.is_empty() {
-            corners = stiff;
+        let strains_apart =
+            |cell: &Cell| lattice.number(*cell).is_some_and(|other| mixture.strains_apart(other, point));
+        let alike: Vec<Corners> = corners.iter().copied().filter(|c| !c.iter().any(strains_apart)).collect();
+        if !alike.is_empty() {
+            corners = alike;
         }
     }
     let modulus = lacks.map(|row| row.map(|v| v / corners.len().max(1) as f64));

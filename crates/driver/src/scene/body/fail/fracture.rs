@@ -64,7 +64,7 @@ pub(crate) fn resolve(
     let critical = toughness::of_materials(critical, &fracture.critical, site, faults)?;
     let CriticalStretches { by_offset: mut critical, fibres } = critical;
     if let Some(own) = loads.first().and_then(|loads| loads.eigenstrain.as_ref()) {
-        critical = critical.beyond(own.strains(site.model));
+        critical = critical.beyond(own.strains());
     }
     if site.model.as_solid().is_some() && !fracture.directions.is_empty() {
         faults

@@ -155,6 +155,7 @@ mod tests {
             softens: false,
             has_cracks: false,
             materials: None,
+            fibre_angles: Vec::new(),
             symmetry: &[],
             joined: Vec::new(),
         };

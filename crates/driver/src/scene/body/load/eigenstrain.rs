@@ -8,6 +8,7 @@
 use super::context::LoadContext;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::Material;
+use peristat_assembly::bonds::Mat;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 
@@ -32,13 +33,15 @@ pub struct EigenstrainPart {
     pub unit: UnitStrain,
 }
 
-/// A strain, and what it does in the base material where nothing moves, in the order of [`BodyModel::tensor_components`].
+/// A strain, and what it does in the base material, or one of its stiffness with other fibres, where nothing moves, in the order of [`BodyModel::tensor_components`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnitStrain {
     /// Strains, shears as γ.
     pub strain: [f64; TENSOR],
     /// Strain across the plane, or around the axis.
     pub across_strain: f64,
+    /// What the material has in the plane at the stresses that follow.
+    in_plane: [f64; TENSOR],
     /// Stresses C ε*.
     pub stress: [f64; TENSOR],
     /// The same across the plane, or around the axis.
@@ -46,21 +49,25 @@ pub struct UnitStrain {
 }
 
 impl UnitStrain {
-    /// Of the strain `of` each component, shears as γ; none of a model without stiffness in all directions.
+    /// Of the strain `of` each component, shears as γ; none of a model without stiffness in all directions. `lamina` is the stiffness
+    /// of other fibres than those of the base material.
     pub(super) fn new(
         of: impl Fn(&str) -> f64,
-        model: &dyn BodyModel,
-        material: &dyn Material,
+        (model, material): (&dyn BodyModel, &dyn Material),
+        lamina: Option<Mat<3, 3>>,
     ) -> Option<Self> {
+        let none = [0.0; TENSOR];
         let mut unit =
-            Self { strain: [0.0; TENSOR], across_strain: 0.0, stress: [0.0; TENSOR], across_stress: 0.0 };
+            Self { strain: none, across_strain: 0.0, in_plane: none, stress: none, across_stress: 0.0 };
         unit.strain.iter_mut().zip(model.tensor_components()).for_each(|(value, name)| *value = of(name));
         if let Some(solid) = model.as_solid() {
             let c = solid.stiffness();
             unit.stress = c.map(|row| row.iter().zip(unit.strain).map(|(c, e)| c * e).sum());
+            unit.in_plane = model.strains_of(unit.stress, 0.0);
             return Some(unit);
         }
-        let c = model.as_plane()?.stiffness();
+        let plane = model.as_plane()?;
+        let c = lamina.unwrap_or_else(|| plane.stiffness());
         (0..3).for_each(|q| unit.stress[q] = (0..3).map(|k| c[q][k] * unit.strain[k]).sum());
         if material.holds_across() {
             // Of an isotropic material: what is stretched across presses on the plane as the other axis in it does.
@@ -69,15 +76,22 @@ impl UnitStrain {
             unit.stress[..2].iter_mut().for_each(|s| *s += c[0][1] * across);
             unit.across_stress = c[0][1] * (x + y) + c[0][0] * across;
         }
+        // What is flat and free is as long as its stresses make it.
+        unit.in_plane = match lamina {
+            Some(_) => unit.strain,
+            None => model.strains_of(unit.stress, unit.across_stress),
+        };
         Some(unit)
     }
 
-    /// How much stiffer the material of a point is than the base one.
+    /// Strains in the plane of these stresses, in the order of the components.
+    pub(crate) fn in_plane(&self) -> [f64; TENSOR] {
+        self.in_plane
+    }
+
+    /// How much stiffer the material of a point with such fibres is than the base one.
     pub(crate) fn stiffness(&self, model: &dyn BodyModel, point: usize) -> f64 {
-        let (base, own) = (
-            model.strains_of(self.stress, self.across_stress),
-            model.strains_at(point, self.stress, self.across_stress),
-        );
+        let (base, own) = (self.in_plane, model.strains_at(point, self.stress, self.across_stress));
         let largest =
             (0..TENSOR).max_by(|&a, &b| base[a].abs().total_cmp(&base[b].abs())).unwrap_or_default();
         base[largest] / own[largest]
@@ -86,16 +100,15 @@ impl UnitStrain {
 
 impl EigenstrainPart {
     /// Strains of all points in the plane, three planes.
-    fn strains(&self, model: &dyn BodyModel) -> impl Iterator<Item = f64> {
-        let strain = model.strains_of(self.unit.stress, self.unit.across_stress);
-        strain.into_iter().take(3).flat_map(|e| self.free.iter().map(move |free| free * e))
+    fn strains(&self) -> impl Iterator<Item = f64> {
+        self.unit.in_plane.into_iter().take(3).flat_map(|e| self.free.iter().map(move |free| free * e))
     }
 
     fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
         let points: Vec<usize> = (0..self.free.len()).filter(|&p| self.free[p] != 0.0).collect();
         let some = (points.len() < self.free.len()).then_some(&points[..]);
         if let Some(plane) = model.as_plane() {
-            let mut t: Vec<f64> = self.strains(model).map(|strain| factor * strain).collect();
+            let mut t: Vec<f64> = self.strains().map(|strain| factor * strain).collect();
             plane.add_strain_work(&mut t, some, force);
         } else if let Some(solid) = model.as_solid() {
             let of = |point: usize| factor * self.free[point] * self.unit.stiffness(model, point);
@@ -111,10 +124,10 @@ impl Eigenstrain {
     }
 
     /// Strains of all points of a body in the plane, three planes, as its stresses in the plane would have them.
-    pub(crate) fn strains(&self, model: &dyn BodyModel) -> Vec<f64> {
+    pub(crate) fn strains(&self) -> Vec<f64> {
         let mut sum = vec![0.0; 3 * self.change.len()];
         for part in &self.parts {
-            sum.iter_mut().zip(part.strains(model)).for_each(|(own, strain)| *own += strain);
+            sum.iter_mut().zip(part.strains()).for_each(|(own, strain)| *own += strain);
         }
         sum
     }
@@ -159,6 +172,16 @@ impl Eigenstrain {
         self.change.iter_mut().chain(free).for_each(|value| *value *= factor);
         self
     }
+}
+
+/// What fibres at an angle, degrees, resist to uniform strains at the factor one; none of those of the base material.
+pub(super) fn of_fibres(angle: Option<f64>, context: &LoadContext) -> Option<Mat<3, 3>> {
+    let (materials, plane) = (&context.inputs.materials, context.model?.as_plane()?);
+    let is_own = |p: &usize| materials.fibre_angle(*p) == angle;
+    let point = (0..context.ground.body.points()).find(is_own).filter(|_| angle.is_some())?;
+    let number = context.inputs.number(context.model?, point as u32) as usize;
+    let factor = 1.0 / materials.factors[point];
+    Some(plane.stiffness_at(number).map(|row| row.map(|c| factor * c)))
 }
 
 /// Gives images the values of their points, with the sign of a component of a tensor.

@@ -65,7 +65,7 @@ pub(super) fn resolve(
     to.stretch(own);
 }
 
-/// A component of some points of the body; none of a model without stiffness in all directions.
+/// A component of some points of the body, a part for each angle of fibres; none of a model without stiffness in all directions.
 ///
 /// # Errors
 /// A formula has no value at one of them.
@@ -73,18 +73,26 @@ fn part(
     (name, value): (&str, &Prescribed),
     (points, model): (&[u32], &dyn BodyModel),
     context: &LoadContext,
-) -> Result<Option<EigenstrainPart>, String> {
+) -> Result<Vec<EigenstrainPart>, String> {
     // Shears are given as halves of γ.
     let size = if is_shear(name) { 2.0 } else { 1.0 };
     let of = |component: &str| if component == name { size } else { 0.0 };
-    let Some(unit) = UnitStrain::new(of, model, context.material) else { return Ok(None) };
-    let mut free = vec![0.0; model.points()];
-    for &p in points {
-        let number = context.inputs.number(model, p) as usize;
-        free[number] = value.at(context.ground.body.position(p as usize))?;
+    let materials = &context.inputs.materials;
+    let mut parts = Vec::new();
+    for angle in materials.fibre_angles() {
+        let lamina = eigenstrain::of_fibres(angle, context);
+        let Some(unit) = UnitStrain::new(of, (model, context.material), lamina) else {
+            return Ok(Vec::new());
+        };
+        let mut free = vec![0.0; model.points()];
+        for &p in points.iter().filter(|p| materials.fibre_angle(**p as usize) == angle) {
+            let number = context.inputs.number(model, p) as usize;
+            free[number] = value.at(context.ground.body.position(p as usize))?;
+        }
+        eigenstrain::give_images(&mut free, name, model);
+        parts.push(EigenstrainPart { free, unit });
     }
-    eigenstrain::give_images(&mut free, name, model);
-    Ok(Some(EigenstrainPart { free, unit }))
+    Ok(parts)
 }
 
 fn is_shear(name: &str) -> bool {

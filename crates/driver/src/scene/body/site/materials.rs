@@ -3,7 +3,7 @@
 use super::ground::Ground;
 use super::model_inputs::ModelInputs;
 use super::modulus;
-use crate::case::{Expansion, Modulus, RegionMaterial};
+use crate::case::{Case, Expansion, Modulus, RegionMaterial};
 use crate::diagnostic::{Faults, JsonPath, positive, root};
 use crate::input::Folder;
 use crate::memory;
@@ -11,6 +11,8 @@ use crate::model::{Mixture, OtherMaterial, admissible};
 use crate::scene::expansion;
 use peristat_assembly::body::{SquareLattice, plus};
 
+/// The largest angle of fibres that is no slip, degrees.
+const TURN: f64 = 360.0;
 /// Memory of a bond with a factor of its own, bytes, while it is made and on coarser lattices.
 const OWN: f64 = 65.0;
 
@@ -49,6 +51,7 @@ pub(crate) fn mixture(
         if let Some(own) = given.thermal_expansion.filter(|_| inputs.material.fibres().is_none()) {
             expansion::is_one(own, &path.key("thermal_expansion"), faults);
         }
+        check_fibre_angle(given, case, &path, faults);
         if case.fracture.is_none() {
             refuse_unbroken(given, &path, faults);
         }
@@ -58,6 +61,7 @@ pub(crate) fn mixture(
             poisson_ratio: given.poisson_ratio,
             shear_modulus: None,
             stiffness_factor: None,
+            fibre_angle: given.fibre_angle,
             thermal_expansion: given.thermal_expansion.map(Expansion::along_and_across),
             density: given.density.filter(|own| positive(*own, "density", path.key("density"), faults)),
         };
@@ -170,6 +174,22 @@ fn refuse_unbroken(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults)
     }
 }
 
+/// Adds a fault for an angle of fibres that is none, and for one in a body that breaks.
+fn check_fibre_angle(given: &RegionMaterial, case: &Case, path: &JsonPath, faults: &mut Faults) {
+    let Some(angle) = given.fibre_angle else { return };
+    let path = path.key("fibre_angle");
+    if angle.abs() > TURN {
+        faults
+            .error(path.clone(), format!("`fibre_angle` must be between -360 and 360, found {angle}"))
+            .hint("it is in degrees, counter-clockwise from x");
+    }
+    if case.fracture.is_some() {
+        faults
+            .error(path, "bodies whose fibres run at several angles do not break")
+            .hint("leave out `fracture`, or give all fibres the `fibre_angle` of the model");
+    }
+}
+
 /// Adds a fault for every key of a material in which those of the model do not differ, and for a Poisson's ratio that is none.
 fn check(given: &RegionMaterial, takes: &[(&'static str, f64)], path: &JsonPath, faults: &mut Faults) {
     let keys = [
@@ -177,6 +197,7 @@ fn check(given: &RegionMaterial, takes: &[(&'static str, f64)], path: &JsonPath,
         ("poisson_ratio", given.poisson_ratio.is_some()),
         ("shear_modulus", given.shear_modulus.is_some()),
         ("stiffness_factor", given.stiffness_factor.is_some()),
+        ("fibre_angle", given.fibre_angle.is_some()),
     ];
     for (key, _) in keys.into_iter().filter(|key| key.1) {
         if takes.iter().all(|of| of.0 != key) {

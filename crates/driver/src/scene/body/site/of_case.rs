@@ -23,6 +23,7 @@ pub(crate) fn asked(case: &Case) -> Asked<'_> {
         softens: case.path.is_some(),
         has_cracks: !case.cracks.is_empty() || specimen::kind(&case.body).is_some(),
         materials: (!case.materials.is_empty()).then_some(poisson_ratios),
+        fibre_angles: case.materials.values().filter_map(|material| material.fibre_angle).collect(),
         symmetry: &case.symmetry,
         joined: case.periodic.iter().map(joined).collect(),
     }

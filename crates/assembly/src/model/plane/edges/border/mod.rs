@@ -97,14 +97,17 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
         let (whole, share) = (geometry(lattice, neighbourhood.offsets[offset]), run.share());
         let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
         let unit = bond.part_moduli(&whole, share);
-        let mut factor = 1.0;
+        let (mut weights, mut factor) = (neighbourhood.weights[offset], 1.0);
         if let Some(mixture) = mixture {
-            let through = mixture.through((lattice, mirrors), run.cells());
-            factor = through.factor;
-            let own = run.ends_of(mirrors).into_iter().zip(through.lacks).filter(|own| own.1 > 0.0);
-            lacks.extend(own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, offset, share * lack))));
+            let of = |table| neighbourhood.of_material(table, offset);
+            let through = mixture.weights_through((lattice, mirrors), run.cells(), of);
+            [factor] = mixture.through((lattice, mirrors), run.cells()).weights;
+            weights = through.weights;
+            let own = run.ends_of(mirrors).into_iter().zip(through.lacks).filter(|own| own.1 != [0.0; M]);
+            let own = own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, lack)));
+            lacks.extend(own.map(|(point, lack)| (point, offset, lack.map(|lack| share * lack))));
         }
-        let moduli = std::array::from_fn(|m| part * neighbourhood.weights[offset][m] * factor * unit[m]);
+        let moduli = std::array::from_fn(|m| part * weights[m] * unit[m]);
         // Only rotations are read on the mean.
         let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
         let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });

@@ -170,18 +170,19 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
     left: impl Iterator<Item = Left>,
 ) -> (By<D, M, S>, usize) {
     let lattice = corners.blocks.lattice;
-    let moduli: Vec<Mat<S, S>> =
-        missing.paths.iter().map(|(k, _)| modulus(lattice, neighbourhood, bond, *k)).collect();
+    let of_base =
+        |(k, _): &(usize, _)| modulus(lattice, bond, neighbourhood.offsets[*k], &neighbourhood.weights[*k]);
+    let moduli: Vec<Mat<S, S>> = missing.paths.iter().map(of_base).collect();
     let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
-    for Left { block, triangle, mut shares } in left {
-        if let Some(mixture) = mixture {
-            let cells = corners_of(block, triangle);
-            for (share, (k, _)) in shares.iter_mut().zip(&missing.paths) {
-                *share *= stiffness(corners, mixture, cells, neighbourhood.offsets[*k]);
-            }
-        }
+    for Left { block, triangle, shares } in left {
         let mut own = [[0.0; S]; S];
-        for (modulus, share) in moduli.iter().zip(&shares) {
+        for ((share, of_base), (k, _)) in shares.iter().zip(&moduli).zip(&missing.paths) {
+            let mixed = mixture.map(|mixture| {
+                let (cells, step) = (corners_of(block, triangle), neighbourhood.offsets[*k]);
+                let of = |table| *neighbourhood.weights_of(table, *k);
+                modulus(lattice, bond, step, &weights_at(corners, mixture, (cells, step), of))
+            });
+            let modulus = mixed.as_ref().unwrap_or(of_base);
             (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += share * modulus[r][c]));
         }
         match members(corners, bond, block, triangle) {
@@ -192,10 +193,15 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
     (By::Triangles(Arc::new(families)), lost)
 }
 
-/// How much stiffer than the base material a triangle is for bonds of an offset.
-fn stiffness(corners: &Corners, mixture: &Mixture, cells: [Cell; 3], offset: Cell) -> f64 {
+/// The weights that bonds of an offset have in a triangle, of those in the tables of a mixture.
+fn weights_at<const M: usize>(
+    corners: &Corners,
+    mixture: &Mixture,
+    (cells, offset): ([Cell; 3], Cell),
+    of_table: impl Fn(usize) -> [f64; M],
+) -> [f64; M] {
     let [x, y, _] = offset.map(f64::from);
-    mixture.of_triangle((corners.blocks.lattice, corners.blocks.mirrors), cells, [x, y])
+    mixture.of_triangle((corners.blocks.lattice, corners.blocks.mirrors), cells, [x, y], of_table)
 }
 
 /// How corners of triangles move beside some cracks.
@@ -224,14 +230,14 @@ fn ends<const M: usize>(
     [Some(gap.lower), upper].into_iter().flatten()
 }
 
-/// `Uᵀ c U` of a bond of an offset, with its measures `U E` in a uniform state E.
+/// `Uᵀ c U` of a bond of an offset with some weights, and its measures `U E` in a uniform state E.
 pub(in super::super) fn modulus<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     lattice: &SquareLattice,
-    neighbourhood: &Neighbourhood<M>,
     bond: &B,
-    k: usize,
+    offset: Cell,
+    weights: &[f64; M],
 ) -> Mat<S, S> {
-    let geometry = geometry(lattice, neighbourhood.offsets[k]);
+    let geometry = geometry(lattice, offset);
     let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
-    block(&uniform, &std::array::from_fn(|m| neighbourhood.weights[k][m] * unit[m]), &uniform)
+    block(&uniform, &std::array::from_fn(|m| weights[m] * unit[m]), &uniform)
 }

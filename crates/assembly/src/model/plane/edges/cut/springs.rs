@@ -12,7 +12,7 @@ use super::super::border::{BorderBonds, PartOfBond};
 use super::corners::Corners;
 use super::members::{corner_shares, corners_of};
 use super::missing::Missing;
-use super::{By, Left, stiffness};
+use super::{By, Left, weights_at};
 use crate::body::Cell;
 use crate::bonds::BondGeometry;
 use crate::stiffness::{Place, PlacedBond, PlacedBonds};
@@ -43,8 +43,13 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
             let whole = geometry(lattice, step);
             let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
             let unit = bond.part_moduli(&whole, share);
-            let factor = mixture.map_or(1.0, |mixture| stiffness(corners, mixture, cells, step));
-            let moduli = from_fn(|m| factor * left / share * neighbourhood.weights[offset][m] * unit[m]);
+            let (mut weights, mut factor) = (neighbourhood.weights[offset], 1.0);
+            if let Some(mixture) = mixture {
+                let of = |table| *neighbourhood.weights_of(table, offset);
+                weights = weights_at(corners, mixture, (cells, step), of);
+                [factor] = weights_at(corners, mixture, (cells, step), |_| [1.0]);
+            }
+            let moduli = from_fn(|m| left / share * weights[m] * unit[m]);
             let ends = [-0.5, 0.5]
                 .map(|half| place(&cells, &places, [0, 1].map(|c| half * share * f64::from(step[c]))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });

@@ -36,7 +36,7 @@ impl Strains {
                 |[_, a, b]: [f64; 3]| [0, 1].map(|k| (a * axes[0][k] + b * axes[1][k]) / lattice.spacing());
             let named = |(cell, rows)| Some((lattice.number(cell)? as u32, along(rows)));
             let Some(mut rows) = found.into_iter().map(named).collect::<Option<Vec<_>>>() else { continue };
-            let differs = |mixture: &Mixture, row: u32| mixture.of(row as usize) != mixture.of(point);
+            let differs = |mixture: &Mixture, row: u32| !mixture.are_alike([row as usize, point]);
             if mixture.is_some_and(|mixture| rows.iter().any(|row| differs(mixture, row.0))) {
                 continue;
             }
