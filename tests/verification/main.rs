@@ -50,6 +50,7 @@ mod hole_stress;
 mod inclusions;
 mod initial_strain;
 mod interfaces;
+mod laminae;
 mod literature;
 mod load_factor;
 mod local_limit;

@@ -5,6 +5,7 @@ use super::calibration::{Fibres, matched, published};
 use super::moments::shear_row;
 use super::{Moments, OrthotropicError, OrthotropicParameters, Start};
 use crate::body::Cell;
+use std::array::from_fn;
 
 /// One of each pair of opposite offsets to the neighbours of a point, with the weights of their bonds.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,13 +143,21 @@ fn parts(all: &[Cell], horizon_ratio: f64) -> Vec<f64> {
     all.iter().map(|&step| f64::from(is_within(step, horizon_ratio))).collect()
 }
 
-/// What all bonds together resist to a stretch and a shear along each of them; a bend is as the shear.
+/// Power of what all bonds resist along one of them, the rest of that bond's own weight, by which its part in a lamina stretches.
+/// Laminae at 0 and 90 degrees in series are then -0.03 to 0.04 spacings of the softer one too long, of moduli that are 2 to 38 times
+/// as large along the fibres as across. One alone makes them 0.04 to 0.09 too short, zero up to 0.23 too long.
+const TOGETHER: f64 = 0.7;
+/// The least weight of a bond that counts, over what all resist.
+const LEAST: f64 = 1e-3;
+
+/// What materials resist to a stretch and a shear along each bond where these pass several of them; a bend is as the shear.
 fn along(all: &[Cell], weights: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let stiffness = Moments::new(all, weights).stiffness;
     let of = |row: [f64; 3]| (0..9).map(|k| row[k / 3] * stiffness[k / 3][k % 3] * row[k % 3]).sum::<f64>();
-    let along = |step: &Cell| {
+    let along = |(step, own): (&Cell, &[f64; 3])| {
         let shear = of(shear_row(*step));
-        [of(direction_product(*step)), shear, shear]
+        let together = [of(direction_product(*step)), shear, shear];
+        from_fn(|m| together[m] * (own[m] / together[m]).max(LEAST).powf(1.0 - TOGETHER))
     };
-    all.iter().map(along).collect()
+    all.iter().zip(weights).map(along).collect()
 }

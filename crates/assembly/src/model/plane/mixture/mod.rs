@@ -1,10 +1,10 @@
 //! Bodies of several materials: how stiff every point is, and what a bond through several of them has.
 //!
 //! A bond that passes the cells of its path with the parts l_q of its length is as stiff as these in series,
-//! `f = 1/Σ(l_q/E_q)`, but no stiffer than the mean of its ends. Where materials differ in weights, its parts stretch as the
-//! materials do under one stress, by 1/C_q of what these resist along it: `f = Σ(l_q a_q/C_q)/Σ(l_q/C_q)`, measure by measure. Each end would have half of a bond of its own material:
-//! the softer one gets that at most, the stiffer one the rest, and what an end lacks then, `E_i/2 − share_i >= 0`, it gets
-//! back in triangles.
+//! `f = 1/Σ(l_q/E_q)`, but no stiffer than the mean of its ends. Where materials differ in weights a_q, its parts stretch by 1/C_q
+//! of what these resist along it: `f = Σ(l_q a_q/C_q)/Σ(l_q/C_q)`, measure by measure. Each end would have half of a bond of its
+//! own material: the softer one gets that at most, the stiffer one the rest, and what an end lacks then, `E_i/2 − share_i >= 0`,
+//! it gets back in triangles.
 
 mod coarser;
 

@@ -76,9 +76,12 @@ pub(crate) fn mixture(
         }
         mixture.others.push(other);
     }
-    // Every bond of another material has a factor of its own.
+    // Every bond of another stiffness has a factor of its own; those of other fibres have a table.
     let offsets = inputs.material.offsets().map_or(0, |offsets| offsets.len());
-    let others = mixture.numbers.iter().filter(|number| **number > 0).count();
+    let has_factors = |p: &usize| {
+        mixture.factors[*p] != 1.0 || mixture.of(*p).is_some_and(|other| other.poisson_ratio.is_some())
+    };
+    let others = (0..mixture.numbers.len()).filter(has_factors).count();
     let what = ("bonds of other materials", "use a larger spacing or smaller regions");
     memory::fits(OWN * (offsets * others) as f64, what, max_memory, root("materials"), faults);
     mixture
