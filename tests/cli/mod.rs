@@ -32,6 +32,7 @@ mod report_states;
 mod results_folder;
 mod schema;
 mod solid_report;
+mod stored_case;
 mod study;
 mod support;
 mod tidy;

@@ -267,3 +267,51 @@ fn multigrid_takes_no_more_iterations_where_laminae_end_between_coarse_cells() {
     let off = largest_part(&mixed, &of("sparse", true).0);
     assert!(off < 1e-10, "{off:e}"); // 8e-12
 }
+
+/// Between two rows of points a stress is that of both, each in the axes of its own fibres.
+#[test]
+fn stresses_along_fibres_are_read_between_laminae_by_those_of_both() {
+    let mut case = plate([40.0, 20.0], 0.0, Some((1, 10.0, 90.0)));
+    case["supports"] = json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0 }]);
+    case["loads"] = json!([{ "traction": { "edge": "right", "uniform": [100, 10] } }]);
+    ask(&mut case, &["stress_11", "stress_22"], &[[20.5, 9.5], [20.5, 10.5], [20.5, 10.0]]);
+    let found = probes(&case);
+    let means = [0.5 * (found[0] + found[2]), 0.5 * (found[1] + found[3])];
+    assert!(largest_part(&found[4..], &means) < 1e-12, "{found:?}"); // 0
+}
+
+/// Strips of two fibres that joined sides keep from becoming longer, and that are free across: heat presses each by its own modulus
+/// and expansion along the strip, and across there is nothing. So it is with two metals.
+#[test]
+fn hot_layers_between_joined_sides_are_pressed_along_them_alone() {
+    let metals = json!({ "bond_plane": { "youngs_modulus": 10300, "state": "plane_stress" } });
+    for (is_metal, along, across) in [(false, 0.002, 0.06), (true, 1.5, 4.6)] {
+        let mut case = plate([16.0, 20.0], 0.0, Some((1, 10.0, 90.0)));
+        keys(&mut case)["poisson_ratio_12"] = json!(0);
+        case["thermal_expansion"] = json!([1e-6, 3e-5]);
+        let mut expected = [-181_000.0 * 1e-4, -10_300.0 * 3e-3];
+        if is_metal {
+            case["model"] = metals.clone();
+            case["thermal_expansion"] = json!(3e-5);
+            case["materials"]["other"] =
+                json!({ "at": "second", "youngs_modulus": 181000, "thermal_expansion": 1e-6 });
+            expected.reverse();
+        }
+        case["periodic"] = json!([{ "along": "x" }]);
+        case["supports"] = json!([{ "at": { "x": 0.5, "y": 0.5 }, "ux": 0, "uy": 0 }]);
+        case["loads"] = json!([{ "temperature": { "change": 100 } }]);
+        ask(&mut case, &STRESSES, &[[7.5, 9.5], [7.5, 10.5], [7.5, 4.5], [7.5, 15.5]]);
+        let found = probes(&case);
+        // In the rows that touch: of laminae -18.101 and -30.899, of metals -32.27 and -17.02, and across 4.4 where ends of
+        // bonds had what their parts of these ask, 19.
+        for (k, expected) in expected.into_iter().enumerate() {
+            let [x, y, xy] = [0, 1, 2].map(|q| found[3 * k + q]);
+            assert!(
+                (x - expected).abs() < along && y.abs() < across && xy.abs() < 1e-9,
+                "{is_metal} {found:?}"
+            );
+            let [x, y] = [0, 1].map(|q| found[6 + 3 * k + q]);
+            assert!((x - expected).abs() < 1e-3 && y.abs() < 1e-3, "{is_metal} {found:?}");
+        }
+    }
+}

@@ -42,6 +42,16 @@ impl<const D: usize, const M: usize> Bond<D, M> {
         let s: [f64; M] = from_fn(measure);
         (s, from_fn(|m| self.moduli[m] * s[m]))
     }
+
+    /// Adds the forces on its points, of `points` in all, that do the work of forces conjugate to its measures.
+    pub fn add_work(&self, points: usize, sigma: &[f64; M], force: &mut [f64]) {
+        let [i, j] = self.ends();
+        let (first, second) = (self.rows.first(), self.rows.second());
+        for c in 0..D {
+            force[c * points + i] += (0..M).map(|m| first[m][c] * sigma[m]).sum::<f64>();
+            force[c * points + j] += (0..M).map(|m| second[m][c] * sigma[m]).sum::<f64>();
+        }
+    }
 }
 
 impl<const D: usize, const M: usize> Bonds<D, M> {

@@ -100,7 +100,7 @@ impl Library {
             if has_fibres {
                 faults
                     .error(path, "materials of a library have no fibres")
-                    .hint("say how stiff the region is by its `stiffness_factor`");
+                    .hint("say how stiff the region is by its `stiffness_factor`, and where its fibres run by its `fibre_angle`");
                 continue;
             }
             let heavier = material.density.filter(|own| weighs && Some(*own) != density);

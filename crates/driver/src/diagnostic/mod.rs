@@ -22,7 +22,7 @@ mod render;
 mod syntax;
 mod words;
 
-pub(crate) use check::{positive, root};
+pub(crate) use check::{fibre_angle, positive, root};
 pub(crate) use comments::without_comments;
 pub use excerpt::{clip, quote};
 pub use fault::{Diagnostic, Faults, Report, Severity};

@@ -231,6 +231,14 @@ impl PlaneModel for BeamBondOrthotropic {
         self.body.add_strain_work(t, points, force);
     }
 
+    fn add_free_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        self.body.add_free_work(t, points, force);
+    }
+
+    fn free_stress_beyond(&self, t: &[f64]) -> Option<[Vec<f64>; 3]> {
+        self.body.free_stress_beyond(t)
+    }
+
     /// The forces of one stress on a border, with the moments that go with them, whatever the materials inside are: points have those
     /// of a body that is all of their lamina.
     fn add_stress_load(

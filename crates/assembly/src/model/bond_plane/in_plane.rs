@@ -45,6 +45,20 @@ impl PlaneModel for BondPlane {
         }
     }
 
+    fn add_free_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        match &self.body {
+            Body::Lattice(body) => body.add_free_work(t, points, force),
+            Body::Cloud(_) => self.add_strain_work(t, points, force),
+        }
+    }
+
+    fn free_stress_beyond(&self, t: &[f64]) -> Option<[Vec<f64>; 3]> {
+        match &self.body {
+            Body::Lattice(body) => body.free_stress_beyond(t),
+            Body::Cloud(_) => None,
+        }
+    }
+
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
         match &self.body {
             Body::Lattice(body) => body.add_strain_work(t, points, force),

@@ -172,12 +172,19 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
 
     /// The part of the bonds between points.
     pub(in super::super) fn add_bond_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        self.add_work_of_halves(t, points, force);
+        if let Some(interface) = &self.interface {
+            interface.uneven.add_work(self.whole(), (t, &self.virial_shares(1.0)), force);
+        }
+    }
+
+    /// The same, both points having half of every bond; images have no part in it.
+    pub(super) fn add_work_of_halves(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
         let n = self.lattice.points();
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         let shares = self.virial_shares(1.0);
         self.whole().add_work::<3>(t, &self.spans(points), &shares, force);
         if let Some(interface) = &self.interface {
-            interface.uneven.add_work(self.whole(), (t, &shares), force);
             add_work_of_triangles(interface.stress_families(), t, force);
         }
     }

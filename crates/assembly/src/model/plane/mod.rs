@@ -159,8 +159,19 @@ pub trait PlaneModel: BodyModel {
     /// forces from bonds to them.
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]);
 
+    /// Adds the forces that keep the body in strains `t` that its points have without stress; the rest is as there.
+    fn add_free_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        self.add_strain_work(t, points, force);
+    }
+
+    /// Stresses of points, three planes, that strains `t` without stress have beyond those of the points' own, beside interfaces of
+    /// materials; none where there are none.
+    fn free_stress_beyond(&self, _t: &[f64]) -> Option<[Vec<f64>; 3]> {
+        None
+    }
+
     /// Energy of the body where nothing moves and its points would stretch by the strains `t`, three planes, without stress: what
-    /// [`add_strain_work`](Self::add_strain_work) makes of these lacks that of the state. None where its elements are not known to
+    /// [`add_free_work`](Self::add_free_work) makes of these lacks that of the state. None where its elements are not known to
     /// be free at such strains.
     fn energy_at_rest(&self, _t: &[f64]) -> Option<f64> {
         None

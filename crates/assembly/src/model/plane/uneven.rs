@@ -113,9 +113,9 @@ impl<const M: usize> UnevenBonds<M> {
         }
     }
 
-    /// Parts of bonds that lower points have beyond half, by index of the offset among those that have bonds, and lower point.
-    pub(super) fn beyond(&self) -> impl Iterator<Item = ((usize, usize), [f64; M])> + '_ {
-        self.list.iter().map(|of| ((of.class as usize, of.points[0] as usize), of.beyond))
+    /// Index of the offset among those that have bonds, points, and parts that the lower one has beyond half.
+    pub(super) fn all(&self) -> impl Iterator<Item = (usize, [usize; 2], &[f64; M])> + '_ {
+        self.list.iter().map(|of| (of.class as usize, of.points.map(|p| p as usize), &of.beyond))
     }
 
     /// Adds to `Q` planes of sums over the bonds of points, and one of their energies, what these have beyond halves of them;
@@ -158,11 +158,7 @@ impl<const M: usize> UnevenBonds<M> {
                 let own = |q: usize| shares[class][q][m] * (t[q * n + i] - t[q * n + j]);
                 2.0 * of.beyond[m] * bond.moduli[m] * (0..Q).map(own).sum::<f64>()
             });
-            let (first, second) = (bond.rows.first(), bond.rows.second());
-            for c in 0..D {
-                force[c * n + i] += (0..M).map(|m| first[m][c] * sigma[m]).sum::<f64>();
-                force[c * n + j] += (0..M).map(|m| second[m][c] * sigma[m]).sum::<f64>();
-            }
+            bond.add_work(n, &sigma, force);
         }
     }
 }

@@ -28,7 +28,7 @@ pub(super) struct Border {
     pub(super) gaps: Vec<Exception>,
     /// Rows of the dilatation of points that bonds on the border bring, by steps from them, per m.
     pub(super) rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
-    /// What bonds of several materials leave to points: these, offsets, and parts of a bond of the base material.
+    /// What bonds of several materials leave to points: these, offsets, and weights.
     pub(super) lacks: Vec<(usize, usize, [f64; 1])>,
     /// Number of cells whose bonds are left out, because the body is too thin there to tell how they move.
     pub(super) lost: usize,

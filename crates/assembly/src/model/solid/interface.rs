@@ -54,7 +54,7 @@ impl Interface {
                 add(by_point.entry(point).or_insert([[0.0; TENSOR]; TENSOR]), &own);
             }
             for (point, own) in by_point {
-                let corners = stiff(
+                let corners = alike(
                     lattice,
                     &mixture,
                     point,
@@ -104,14 +104,14 @@ impl Interface {
     }
 }
 
-/// Those of some tetrahedra that have no softer points, if there are such.
-fn stiff(lattice: &SquareLattice, mixture: &Mixture, point: usize, all: Vec<Corners>) -> Vec<Corners> {
+/// Those of some tetrahedra that have no points whose strains are others, if there are such.
+fn alike(lattice: &SquareLattice, mixture: &Mixture, point: usize, all: Vec<Corners>) -> Vec<Corners> {
     let cell = lattice.cell(point);
     let strains_apart = |step: &[i32; 3]| {
         lattice.number(plus(cell, *step)).is_some_and(|other| mixture.strains_apart(other, point))
     };
-    let stiff: Vec<Corners> = all.iter().copied().filter(|c| !c.iter().any(strains_apart)).collect();
-    if stiff.is_empty() { all } else { stiff }
+    let alike: Vec<Corners> = all.iter().copied().filter(|c| !c.iter().any(strains_apart)).collect();
+    if alike.is_empty() { all } else { alike }
 }
 
 /// A tetrahedron of a point.

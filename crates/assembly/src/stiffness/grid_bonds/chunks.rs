@@ -77,7 +77,7 @@ pub(super) struct Chunks {
     layers: i32,
     /// Place of the own line among those within the reach.
     middle: usize,
-    classes: usize,
+    offsets: usize,
     /// Measures of a bond.
     measures: usize,
     /// Per chunk with simple lines beside it, layer `-layers..=layers` and row `-reach..=reach`: number of the point in the chunk's
@@ -99,7 +99,7 @@ impl Chunks {
             layers,
             middle: (layers * (2 * reach + 1) + reach) as usize,
             lines: Vec::new(),
-            classes: steps.len(),
+            offsets: steps.len(),
             measures,
             factors: Vec::new(),
         };
@@ -185,7 +185,7 @@ impl Chunks {
         let chunk = &mut self.all[index];
         if chunk.factors == NONE {
             chunk.factors = self.factors.len() as u32;
-            self.factors.resize(self.factors.len() + 2 * self.classes * CHUNK, 1.0);
+            self.factors.resize(self.factors.len() + 2 * self.offsets * CHUNK, 1.0);
         }
         let (chunk, k) = (self.all[index], point - self.all[index].first as usize);
         let planes = if chunk.is_spread { self.measures } else { 1 };
@@ -210,6 +210,7 @@ impl Chunks {
             planes.for_each(|own| self.factors.resize(self.factors.len() + CHUNK, *own));
             chunk.table = tables.len() as u8;
         }
+        debug_assert!(chunk.is_spread, "no bond of the chunk has a factor for all");
         let first = chunk.factors as usize + point - chunk.first as usize;
         for (plane, factor) in (plane * self.measures..).zip(factors) {
             self.factors[first + plane * CHUNK] = factor;

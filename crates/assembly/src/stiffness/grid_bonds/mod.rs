@@ -89,7 +89,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// The same of points that have other weights than those of the offsets.
     ///
     /// # Panics
-    /// As [`new`](Self::new); a point has a table that is not there, or there are more than 254 others.
+    /// As [`new`](Self::new); a point has a table that is not there, or there are more than 254 other tables.
     pub fn of_tables(
         lattice: Arc<SquareLattice>,
         model: &B,
@@ -97,6 +97,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         exceptions: &[Exception],
         tables: Tables<'_, M>,
     ) -> Self {
+        assert!(tables.others.len() <= tables::MOST, "a table of unit weights follows them");
         let class = |step: Cell, weights: &[f64; M]| {
             let [a, b, c] = step;
             assert!(
@@ -203,6 +204,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
             let inner = plain.len() == next.len() && chunk.is_plain() && chunk.is_inner;
             let own = f64::classes_of(self, chunk);
             let all = (0..own.len()).filter(|index| own[*index].modulus != [0.0; M]);
+            // Then its points hang together.
+            let hangs = own.iter().any(|class| class.step == next[0] && class.modulus != [0.0; M]);
             let joined: Vec<usize> = if inner { plain.clone() } else { all.collect() };
             for index in joined {
                 let step = own[index].step;
@@ -211,7 +214,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
                     let first = chunk.first as usize + k;
                     if chunk.is_plain() && step == [1, 0, 0] {
                         parts.join_run(first..=first + columns.len());
-                    } else if are_rows || chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner {
+                    } else if are_rows
+                        || chunk.is_plain() && hangs && next[1..].contains(&step) && chunk.is_inner
+                    {
                         parts.join(first, other);
                     } else {
                         let present = (0..columns.len()).filter(|&step| self.has(chunk, index, k + step));

@@ -4,6 +4,9 @@ use super::chunks::Chunks;
 use crate::body::Cell;
 use crate::body::{SquareLattice, plus};
 
+/// Most tables beside that of the offsets.
+pub(super) const MOST: usize = 254;
+
 /// Bonds of a lattice whose points do not all have the same weights.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tables<'a, const M: usize> {

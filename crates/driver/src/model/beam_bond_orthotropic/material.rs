@@ -41,10 +41,9 @@ impl Material for BeamBonds {
     }
 
     fn keys(&self) -> Model {
-        Model::BeamBondOrthotropic(Orthotropic {
-            start: resolve::start(&self.parameters),
-            ..self.keys.clone()
-        })
+        // Laminae may start at other ones than the model: what each takes without a word it takes again.
+        let start = if self.angles.is_empty() { resolve::start(&self.parameters) } else { self.keys.start };
+        Model::BeamBondOrthotropic(Orthotropic { start, ..self.keys.clone() })
     }
 
     fn usual_horizon_ratio(&self) -> f64 {

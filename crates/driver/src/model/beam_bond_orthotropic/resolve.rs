@@ -2,17 +2,14 @@
 
 use super::super::{Asked, BodyKind, Keys, Material, Model, Refused};
 use super::{BeamBonds, LatticeRows, NAME, OBLIQUE, Orthotropic, are_alike, refusal};
-use crate::diagnostic::{Faults, JsonPath, positive, root, tidy};
+use crate::diagnostic::{Faults, JsonPath, fibre_angle, positive, root, tidy};
 use peristat_assembly::model::beam_bond_orthotropic::{
-    BeamNeighbourhood, OrthotropicError, OrthotropicMaterial, OrthotropicParameters, Start,
+    BeamNeighbourhood, Laminae, OrthotropicError, OrthotropicMaterial, OrthotropicParameters, Start,
 };
 use peristat_assembly::model::plane::{Calibration, Edges};
 
 /// Horizon ratio where bonds lie on the fibres.
 const ALIGNED: f64 = 3.0;
-
-/// The largest angle of fibres that is no slip, degrees.
-const TURN: f64 = 360.0;
 
 impl Keys for Orthotropic {
     fn model(&self) -> Model {
@@ -65,13 +62,10 @@ fn parameters(model: &mut Orthotropic, asked: &Asked, faults: &mut Faults) -> Op
     ] {
         fine &= positive(value, key, path.key(key), faults);
     }
-    if model.fibre_angle.abs() > TURN {
-        faults
-            .error(
-                path.key("fibre_angle"),
-                format!("`fibre_angle` must be between -360 and 360, found {}", model.fibre_angle),
-            )
-            .hint("it is in degrees, counter-clockwise from x");
+    fine &= fibre_angle(model.fibre_angle, path.key("fibre_angle"), faults);
+    if model.other_angles(asked).len() > Laminae::MOST {
+        let message = format!("fibres have at most {} angles beside that of the model", Laminae::MOST);
+        faults.error(root("materials"), message).hint("take fewer regions, or round their angles");
         fine = false;
     }
     if asked.body == BodyKind::Points {

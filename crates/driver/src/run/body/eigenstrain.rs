@@ -33,7 +33,18 @@ impl EigenStress {
                 add(&mut found.across, &across);
             }
         }
+        found.add_beyond(of, model);
         found
+    }
+
+    /// Adds what bonds through several materials have beyond the strains of their points.
+    fn add_beyond(&mut self, of: &Eigenstrain, model: &dyn BodyModel) {
+        let Some(beyond) = model.as_plane().and_then(|plane| plane.free_stress_beyond(&of.strains())) else {
+            return;
+        };
+        let across = |p: usize| model.across_of(from_fn(|k| beyond.get(k).map_or(0.0, |plane| plane[p])));
+        self.across.iter_mut().enumerate().for_each(|(p, own)| *own += across(p));
+        self.stress.iter_mut().zip(&beyond).for_each(|(to, own)| add(to, own));
     }
 
     /// Adds them to those of a sum over points.

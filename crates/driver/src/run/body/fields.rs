@@ -339,8 +339,8 @@ impl BodyResult {
         }
         let medium = Medium::of(scene);
         match (scene.materials().is_one(), origin) {
-            // Strains are linear in stresses by the material of every point.
-            (false, Origin::Strain(..) | Origin::FibreStrain(_)) => {
+            // These are linear in stresses by the material and the fibres of every point.
+            (false, Origin::Strain(..) | Origin::FibreStrain(_) | Origin::FibreStress(_)) => {
                 let at = |p: usize| recovered.of_stress(medium, origin, p, |values| values[p]);
                 weights.iter().map(|&(p, w)| Some(w * at(p as usize)?)).sum()
             }

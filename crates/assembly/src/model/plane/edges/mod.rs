@@ -45,8 +45,7 @@ pub(in super::super) struct Completion<const D: usize, const M: usize, const S: 
     pub(in super::super) lost: usize,
     /// Strains of the points that lack bonds, where the border cuts cells.
     pub(in super::super) strains: Option<Box<Strains>>,
-    /// What bonds of several materials that end on the border leave to points: these, offsets, and parts of a bond of the base
-    /// material.
+    /// What bonds of several materials that end on the border leave to points: these, offsets, and weights.
     pub(in super::super) lacks: Vec<(usize, usize, [f64; M])>,
 }
 

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Parts in which a blend counts, if there are not too many blends so; else the next ones, and at last only the largest part does.
-const PARTS: [f64; 3] = [8.0, 2.0, 1.0];
+const PARTS: [f64; 2] = [8.0, 2.0];
 /// Most tables of a lattice.
 const MOST: usize = 254;
 
@@ -27,20 +27,26 @@ impl Mixture {
         (coarse, mirrors): (&SquareLattice, &Mirrors),
         materials: usize,
     ) -> Option<Arc<Self>> {
-        let cells: Vec<(f64, Blend)> = (0..coarse.points())
-            .map(|point| self.mean(&inside(point, fine, (coarse, mirrors)), materials))
-            .collect();
-        let factors: Vec<f64> = cells.iter().map(|(factor, _)| *factor).collect();
+        let cells = (0..coarse.points()).map(|point| inside(point, fine, (coarse, mirrors)));
         if self.tables.is_empty() {
-            return Self::new(factors);
+            return Self::new(cells.map(|points| self.mean(&points)).collect());
         }
+        let cells: Vec<(f64, Blend)> =
+            cells.map(|points| (self.mean(&points), self.blend(&points, materials))).collect();
+        let factors: Vec<f64> = cells.iter().map(|(factor, _)| *factor).collect();
         let found = PARTS.iter().find_map(|parts| tables(&cells, materials, *parts));
         let (tables, blends) = found.unwrap_or_else(|| (cells.iter().map(largest).collect(), Vec::new()));
         Some(Arc::new(Self { factors, tables, blends }))
     }
 
-    /// The mean factor of some points, and the parts that materials have in their weights.
-    fn mean(&self, points: &[usize], materials: usize) -> (f64, Blend) {
+    /// The mean factor of some points.
+    fn mean(&self, points: &[usize]) -> f64 {
+        let sum: f64 = points.iter().map(|point| self.of(*point)).sum();
+        if points.is_empty() { 1.0 } else { sum / points.len() as f64 }
+    }
+
+    /// The parts that materials have in the weights of some points.
+    fn blend(&self, points: &[usize], materials: usize) -> Blend {
         let sum: f64 = points.iter().map(|point| self.of(*point)).sum();
         let mut blend = vec![0.0; materials];
         for &point in points {
@@ -52,13 +58,10 @@ impl Mixture {
                 }
             }
         }
-        match points {
-            [] => {
-                blend[0] = 1.0;
-                (1.0, blend)
-            }
-            _ => (sum / points.len() as f64, blend),
+        if points.is_empty() {
+            blend[0] = 1.0;
         }
+        blend
     }
 }
 
@@ -92,14 +95,18 @@ fn tables(cells: &[(f64, Blend)], materials: usize, parts: f64) -> Option<(Vec<u
             tables.push(only as u8);
             continue;
         }
-        let next = materials + blends.len();
-        let table = *known.entry(counts.clone()).or_insert_with(|| {
-            blends.push(counts.iter().map(|count| f64::from(*count) / parts).collect());
-            next.min(MOST + 1) as u8
-        });
-        if next > MOST {
-            return None;
-        }
+        let table = match known.get(&counts) {
+            Some(table) => *table,
+            None => {
+                let next = materials + blends.len();
+                if next > MOST {
+                    return None;
+                }
+                blends.push(counts.iter().map(|count| f64::from(*count) / parts).collect());
+                known.insert(counts, next as u8);
+                next as u8
+            }
+        };
         tables.push(table);
     }
     Some((tables, blends))

@@ -149,6 +149,7 @@ impl Mixture {
             let own = weights.map(|weight| factor * weight);
             for m in 0..M {
                 let share = part / (factor * along[m]);
+                // Of equal ones it is exactly so.
                 action[m] += if weights == along { part } else { share * own[m] };
                 stretch[m] += share;
             }

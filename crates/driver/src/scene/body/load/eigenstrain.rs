@@ -109,7 +109,7 @@ impl EigenstrainPart {
         let some = (points.len() < self.free.len()).then_some(&points[..]);
         if let Some(plane) = model.as_plane() {
             let mut t: Vec<f64> = self.strains().map(|strain| factor * strain).collect();
-            plane.add_strain_work(&mut t, some, force);
+            plane.add_free_work(&mut t, some, force);
         } else if let Some(solid) = model.as_solid() {
             let of = |point: usize| factor * self.free[point] * self.unit.stiffness(model, point);
             solid.add_stress_load(&|p, _| self.unit.stress.map(|s| of(p) * s), force);

@@ -107,6 +107,8 @@ pub(crate) fn resolve(
         .flatten()
         .zip(units.into_iter().flatten())
         .map(|(free, unit)| EigenstrainPart { free, unit });
+    // Of laminae that are not heated there is none.
+    let parts = parts.filter(|part| part.free.iter().any(|free| *free != 0.0));
     let own = Eigenstrain { change: change_of, parts: parts.collect() };
     eigenstrain::check("temperature", &own, context, path, faults);
     to.stretch(own);

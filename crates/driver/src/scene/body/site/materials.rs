@@ -4,15 +4,16 @@ use super::ground::Ground;
 use super::model_inputs::ModelInputs;
 use super::modulus;
 use crate::case::{Case, Expansion, Modulus, RegionMaterial};
-use crate::diagnostic::{Faults, JsonPath, positive, root};
+use crate::diagnostic::{Faults, JsonPath, fibre_angle, positive, root};
 use crate::input::Folder;
 use crate::memory;
 use crate::model::{Mixture, OtherMaterial, admissible};
 use crate::scene::expansion;
-use peristat_assembly::body::{SquareLattice, plus};
+use peristat_assembly::body::{SquareLattice, minus, plus};
+use peristat_assembly::model::plane::Edges;
 
-/// The largest angle of fibres that is no slip, degrees.
-const TURN: f64 = 360.0;
+/// Memory of an offset of a stretch of a row whose bonds reach other fibres, bytes: three factors of two sides of 64 points.
+const OF_STRETCH: f64 = 3072.0;
 /// Memory of a bond with a factor of its own, bytes, while it is made and on coarser lattices.
 const OWN: f64 = 65.0;
 
@@ -82,9 +83,30 @@ pub(crate) fn mixture(
         mixture.factors[*p] != 1.0 || mixture.of(*p).is_some_and(|other| other.poisson_ratio.is_some())
     };
     let others = (0..mixture.numbers.len()).filter(has_factors).count();
+    let beside = OF_STRETCH * (offsets * stretches_beside(inputs, &mixture)) as f64;
     let what = ("bonds of other materials", "use a larger spacing or smaller regions");
-    memory::fits(OWN * (offsets * others) as f64, what, max_memory, root("materials"), faults);
+    memory::fits(OWN * (offsets * others) as f64 + beside, what, max_memory, root("materials"), faults);
     mixture
+}
+
+/// How many stretches of a row, of one lamina and 64 points at most, have points from which bonds reach another lamina.
+fn stretches_beside(inputs: &ModelInputs, mixture: &Mixture) -> usize {
+    let Some(lattice) = inputs.body.cells().filter(|_| mixture.fibre_angles().len() > 1) else { return 0 };
+    let reach = inputs.material.about().horizon_ratio as i32;
+    let directions = [[1, 0], [0, 1], [1, 1], [1, -1]];
+    let is_beside = |point: usize| {
+        let (cell, own) = (lattice.cell(point), mixture.fibre_angle(point));
+        let steps = (1..=reach).flat_map(|k| directions.map(|[a, b]| [k * a, k * b, 0]));
+        let mut others = steps.flat_map(|step| [plus(cell, step), minus(cell, step)]);
+        others.any(|cell| lattice.number(cell).is_some_and(|other| mixture.fibre_angle(other) != own))
+    };
+    let of = |point: usize| {
+        let [i, j, _] = lattice.cell(point);
+        (j, i.div_euclid(64), mixture.numbers[point])
+    };
+    let mut found: Vec<_> = (0..lattice.points()).filter(|point| is_beside(*point)).map(of).collect();
+    found.dedup();
+    found.len()
 }
 
 /// The modulus of a key that a material gives, and where its extremes belong.
@@ -181,15 +203,11 @@ fn refuse_unbroken(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults)
 fn check_fibre_angle(given: &RegionMaterial, case: &Case, path: &JsonPath, faults: &mut Faults) {
     let Some(angle) = given.fibre_angle else { return };
     let path = path.key("fibre_angle");
-    if angle.abs() > TURN {
-        faults
-            .error(path.clone(), format!("`fibre_angle` must be between -360 and 360, found {angle}"))
-            .hint("it is in degrees, counter-clockwise from x");
-    }
+    fibre_angle(angle, path.clone(), faults);
     if case.fracture.is_some() {
         faults
             .error(path, "bodies whose fibres run at several angles do not break")
-            .hint("leave out `fracture`, or give all fibres the `fibre_angle` of the model");
+            .hint("remove it, or leave out `fracture`");
     }
 }
 
@@ -231,6 +249,15 @@ pub(crate) fn warn(inputs: &ModelInputs, faults: &mut Faults) {
                 "read them {} rows away, or take a model of bonds, which has them there",
                 rows + 1
             ));
+    }
+    let about = inputs.material.about();
+    if about.edges == Some(Edges::Overlay) && inputs.materials.fibre_angles().len() > 1 {
+        faults
+            .warning(
+                root("model"),
+                "with the edges `overlay` sides are held as fibres of the model ask, also where theirs run otherwise",
+            )
+            .hint("leave out `edges`: `border` holds all of them exactly");
     }
     for (k, other) in inputs.materials.others.iter().enumerate() {
         let is_own = |point: &usize| numbers[*point] == k as u32 + 1;
