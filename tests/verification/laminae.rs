@@ -315,3 +315,46 @@ fn hot_layers_between_joined_sides_are_pressed_along_them_alone() {
         }
     }
 }
+
+/// What acts has the resultant and the moment that were asked for, also where a lamina has corners and ends at the sides.
+#[test]
+fn loads_on_several_laminae_are_those_that_were_asked_for() {
+    for edges in ["border", "overlay"] {
+        for (angle, from, to) in [(90, [10, 6], [20, 12]), (-60, [10, 6], [20, 12]), (90, [6, 4], [14, 9])] {
+            let mut case = plate([20.0, 12.0], 0.0, None);
+            keys(&mut case)["edges"] = json!(edges);
+            case["horizon_ratio"] = json!(3.2);
+            case["regions"] = json!({ "part": { "box": { "from": from, "to": to } } });
+            case["materials"] = json!({ "other": { "at": "part", "fibre_angle": angle } });
+            case["supports"] = json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0 }]);
+            case["loads"] = json!([{ "traction": { "edge": "right", "uniform": [100, 0] } }]);
+            let run = peristat::solve_text(&format!("{case:#}")).unwrap_or_else(|e| panic!("{e}"));
+            // The certificate compares them to eight digits and more.
+            let status = serde_json::to_value(&run.summary).unwrap()["status"].clone();
+            assert_eq!(status, "passed", "{edges} {angle}");
+        }
+    }
+}
+
+/// Of a region of two laminae stresses along fibres, and what follows from them, are means of those of its points.
+#[test]
+fn stresses_along_the_fibres_of_a_region_are_means_of_those_of_its_points() {
+    let mut case = plate([12.0, 8.0], 10.0, Some((0, 6.0, 55.0)));
+    case["regions"]["middle"] = json!({ "box": { "from": [4, 2], "to": [8, 6] } });
+    case["strengths"] = json!({
+        "fibre_tension": 1500, "fibre_compression": 1500, "matrix_tension": 40, "matrix_compression": 246, "shear": 68
+    });
+    case["supports"] = json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0 }]);
+    case["loads"] = json!([{ "traction": { "edge": "right", "uniform": [60, 10] } }]);
+    let fields = ["stress_11", "tsai_wu"];
+    let places: Vec<[f64; 2]> =
+        (4..8).flat_map(|i| (2..6).map(move |j| [f64::from(i) + 0.5, f64::from(j) + 0.5])).collect();
+    ask(&mut case, &fields, &places);
+    let all = case["probes"].as_array_mut().unwrap();
+    all.extend(fields.map(|field| json!({ "name": field, "at": { "region": "middle" }, "field": field })));
+    let found = probes(&case);
+    for k in 0..2 {
+        let mean = found[..32].iter().skip(k).step_by(2).sum::<f64>() / 16.0;
+        assert!((found[32 + k] / mean - 1.0).abs() < 1e-12, "{k} {mean} {found:?}"); // 1e-15
+    }
+}

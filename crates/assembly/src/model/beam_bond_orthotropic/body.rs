@@ -5,7 +5,7 @@ use super::super::plane::{
     Mixture, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, add_stress_work, calibration_error, in_plane,
     rigid_motion,
 };
-use super::laminae::Moduli;
+use super::laminae::{Moduli, by_lamina};
 use super::{BeamBond, BeamNeighbourhood, Laminae, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
@@ -250,15 +250,19 @@ impl PlaneModel for BeamBondOrthotropic {
         if self.body.mixture().is_none() {
             return add_stress_work(self, points, stress_at, force);
         }
-        let n = self.body.lattice.points();
         let even = self.even.get_or_init(|| (0..self.moduli.len()).map(|lamina| self.even(lamina)).collect());
-        for (lamina, model) in even.iter().enumerate() {
+        let of = |model: &Self| {
             let mut own = vec![0.0; force.len()];
             add_stress_work(model, points, stress_at, &mut own);
-            let own =
-                own.into_iter().enumerate().filter(|(unknown, _)| self.body.table(unknown % n) == lamina);
-            own.for_each(|(unknown, part)| force[unknown] += part);
-        }
+            own
+        };
+        let mut all: Vec<Vec<f64>> = even.iter().map(of).collect();
+        // The stretch of joined sides has a part in forces on images.
+        let own = match self.body.mirrors.joined {
+            [false, false, _] => by_lamina(self, &|point| self.body.table(point), all),
+            _ => all.swap_remove(0),
+        };
+        force.iter_mut().zip(own).for_each(|(force, own)| *force += own);
     }
 
     fn energy_at_rest(&self, t: &[f64]) -> Option<f64> {

@@ -1,5 +1,4 @@
-//! Points in chunks: stretches of at most 64 points of one row whose bonds have one table of moduli, their neighbours, and the
-//! factors of exceptional bonds.
+//! Points in chunks: stretches of at most 64 points of one row, their neighbours, and the factors of exceptional bonds.
 
 use crate::body::{Cell, SquareLattice};
 use std::ops::Range;
@@ -89,8 +88,7 @@ pub(super) struct Chunks {
 }
 
 impl Chunks {
-    /// `tables` has the table of every point, nothing where there is one.
-    pub(super) fn new(lattice: &SquareLattice, (steps, measures): (&[Cell], usize), tables: &[u8]) -> Self {
+    pub(super) fn new(lattice: &SquareLattice, (steps, measures): (&[Cell], usize)) -> Self {
         let reach = steps.iter().flat_map(|[a, b, _]| [a.abs(), b.abs()]).max().unwrap_or(0);
         let layers = steps.iter().map(|step| step[2].abs()).max().unwrap_or(0);
         let mut chunks = Self {
@@ -104,12 +102,8 @@ impl Chunks {
             factors: Vec::new(),
         };
         for run in lattice.runs() {
-            let mut from = run.columns.start;
-            while from < run.columns.end {
-                let own = &tables[tables.len().min(run.number(from))..];
-                let most = (run.columns.end - from).min(CHUNK as i32);
-                let differs = own.iter().take(most as usize).position(|table| *table != own[0]);
-                let width = differs.map_or(most, |width| width as i32);
+            for from in run.columns.clone().step_by(CHUNK) {
+                let width = (run.columns.end - from).min(CHUNK as i32);
                 let columns = from..from + width;
                 let beside = chunks.beside(lattice, run.line(), &columns);
                 let is_inner = beside.is_some_and(|beside| chunks.are_all(&beside));
@@ -118,13 +112,12 @@ impl Chunks {
                     line: run.line(),
                     from,
                     width: width as u32,
-                    table: own.first().copied().unwrap_or(0),
+                    table: 0,
                     factors: NONE,
                     is_spread: false,
                     beside,
                     is_inner,
                 });
-                from += width;
             }
         }
         chunks
@@ -194,26 +187,49 @@ impl Chunks {
         }
     }
 
-    /// Gives every measure of a bond a factor of its own; before any bond of the chunk gets one for all. The factors of its other
-    /// bonds become the weights of its table, by offset, and its table the one of unit weights behind `tables`.
-    pub(super) fn spread<const M: usize>(
+    /// Gives chunks the tables of their points, `of` every one; those of several get a factor for every measure of a bond.
+    pub(super) fn take_tables<const M: usize>(&mut self, of: &[u8], tables: &[&[[f64; M]]]) {
+        for index in 0..self.all.len() {
+            let (first, width) = (self.all[index].first as usize, self.all[index].width as usize);
+            let Some(own) = of.get(first..first + width) else { return };
+            self.all[index].table = own[0];
+            if own.iter().any(|table| *table != own[0]) {
+                self.spread(index, own, tables);
+            }
+        }
+    }
+
+    /// Gives every measure of the bonds of a chunk a factor: the weight in the table of its point. The moduli of the chunk are then
+    /// those of unit weights, which follow `tables`.
+    fn spread<const M: usize>(&mut self, index: usize, of: &[u8], tables: &[&[[f64; M]]]) {
+        let chunk = &mut self.all[index];
+        (chunk.factors, chunk.is_spread, chunk.table) = (self.factors.len() as u32, true, tables.len() as u8);
+        for plane in 0..2 * self.offsets * M {
+            let (offset, measure) = (plane / (2 * M), plane % M);
+            let weight = |table: &u8| tables[usize::from(*table)][offset][measure];
+            let unused = std::iter::repeat_n(1.0, CHUNK - of.len());
+            self.factors.extend(of.iter().map(weight).chain(unused));
+        }
+    }
+
+    /// Gives the bond of an offset upwards (0) or downwards (1) from a point weights of its own; before any bond of the chunk gets a
+    /// factor for all measures.
+    pub(super) fn weigh<const M: usize>(
         &mut self,
         (plane, point): (usize, usize),
-        factors: [f64; M],
-        tables: &[&[[f64; M]]],
+        weights: [f64; M],
+        (of, tables): (&[u8], &[&[[f64; M]]]),
     ) {
         let index = self.index_of(point);
-        let chunk = &mut self.all[index];
-        if chunk.factors == NONE {
-            (chunk.factors, chunk.is_spread) = (self.factors.len() as u32, true);
-            let planes = tables[chunk.table()].iter().flat_map(|own| [own, own]).flatten();
-            planes.for_each(|own| self.factors.resize(self.factors.len() + CHUNK, *own));
-            chunk.table = tables.len() as u8;
+        let (first, width) = (self.all[index].first as usize, self.all[index].width as usize);
+        if self.all[index].factors == NONE {
+            self.spread(index, &of[first..first + width], tables);
         }
+        let chunk = &self.all[index];
         debug_assert!(chunk.is_spread, "no bond of the chunk has a factor for all");
-        let first = chunk.factors as usize + point - chunk.first as usize;
-        for (plane, factor) in (plane * self.measures..).zip(factors) {
-            self.factors[first + plane * CHUNK] = factor;
+        let start = chunk.factors as usize + point - first;
+        for (plane, weight) in (plane * M..).zip(weights) {
+            self.factors[start + plane * CHUNK] = weight;
         }
     }
 

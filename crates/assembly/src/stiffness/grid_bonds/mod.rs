@@ -117,7 +117,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let base: Vec<[f64; M]> = offsets.iter().map(|o| o.weights).collect();
         let known: Vec<&[[f64; M]]> =
             std::iter::once(&base).chain(tables.others).map(Vec::as_slice).collect();
-        let unit = vec![[1.0; M]; if tables.between.is_empty() { 0 } else { steps.len() }];
+        let unit = vec![[1.0; M]; if tables.of.is_empty() { 0 } else { steps.len() }];
         let all = known.iter().copied().chain([&unit[..]]);
         let classes: Vec<Class<D, M>> =
             all.flat_map(|weights| steps.iter().zip(weights).map(|(step, own)| class(*step, own))).collect();

@@ -32,11 +32,12 @@ pub struct Between<const M: usize> {
 impl<const M: usize> Tables<'_, M> {
     /// The chunks of a lattice, with the bonds between tables; `known` are the weights of all tables.
     pub(super) fn chunks(&self, lattice: &SquareLattice, steps: &[Cell], known: &[&[[f64; M]]]) -> Chunks {
-        let mut chunks = Chunks::new(lattice, (steps, M), self.of);
+        let mut chunks = Chunks::new(lattice, (steps, M));
+        chunks.take_tables(self.of, known);
         for bond in self.between {
             let upper = lattice.number(plus(lattice.cell(bond.lower), steps[bond.offset]));
             for (side, point) in [Some(bond.lower), upper].into_iter().flatten().enumerate() {
-                chunks.spread((2 * bond.offset + side, point), bond.weights, known);
+                chunks.weigh((2 * bond.offset + side, point), bond.weights, (self.of, known));
             }
         }
         chunks

@@ -338,13 +338,12 @@ impl BodyResult {
             return Some(0.0);
         }
         let medium = Medium::of(scene);
-        match (scene.materials().is_one(), origin) {
-            // These are linear in stresses by the material and the fibres of every point.
-            (false, Origin::Strain(..) | Origin::FibreStrain(_) | Origin::FibreStress(_)) => {
+        match medium.is_by_point(origin) {
+            true => {
                 let at = |p: usize| recovered.of_stress(medium, origin, p, |values| values[p]);
                 weights.iter().map(|&(p, w)| Some(w * at(p as usize)?)).sum()
             }
-            _ => recovered.of_stress(medium, origin, heaviest, sum),
+            false => recovered.of_stress(medium, origin, heaviest, sum),
         }
     }
 }

@@ -44,6 +44,22 @@ impl<'a> Medium<'a> {
         own.or(self.strengths)
     }
 
+    /// Whether a field of a sum over points is the sum of theirs, by the material and the fibres of each: strains are linear in
+    /// stresses so, and several fibres have no axes in common.
+    pub(super) fn is_by_point(&self, origin: Origin) -> bool {
+        let Some(materials) = self.scene.map(BodyScene::materials) else { return false };
+        match origin {
+            Origin::Strain(..) | Origin::FibreStrain(_) => !materials.is_one(),
+            Origin::FibreStress(_)
+            | Origin::TsaiHill
+            | Origin::TsaiWu
+            | Origin::HashinFibre
+            | Origin::HashinMatrix
+            | Origin::Utilisation => self.fibre_angle.is_some() && materials.fibre_angles().len() > 1,
+            _ => false,
+        }
+    }
+
     /// Angle of the fibres of a point from x, rad.
     fn fibre_angle(&self, point: usize) -> Option<f64> {
         let own = self.scene.and_then(|scene| scene.material_of(point)?.fibre_angle);

@@ -11,6 +11,7 @@ use crate::model::{Mixture, OtherMaterial, admissible};
 use crate::scene::expansion;
 use peristat_assembly::body::{SquareLattice, minus, plus};
 use peristat_assembly::model::plane::Edges;
+use std::collections::BTreeSet;
 
 /// Memory of an offset of a stretch of a row whose bonds reach other fibres, bytes: three factors of two sides of 64 points.
 const OF_STRETCH: f64 = 3072.0;
@@ -52,7 +53,7 @@ pub(crate) fn mixture(
         if let Some(own) = given.thermal_expansion.filter(|_| inputs.material.fibres().is_none()) {
             expansion::is_one(own, &path.key("thermal_expansion"), faults);
         }
-        check_fibre_angle(given, case, &path, faults);
+        check_fibre_angle(given, (case, &takes), &path, faults);
         if case.fracture.is_none() {
             refuse_unbroken(given, &path, faults);
         }
@@ -89,7 +90,7 @@ pub(crate) fn mixture(
     mixture
 }
 
-/// How many stretches of a row, of one lamina and 64 points at most, have points from which bonds reach another lamina.
+/// How many stretches of a row, of 64 points at most, have points from which bonds reach another lamina.
 fn stretches_beside(inputs: &ModelInputs, mixture: &Mixture) -> usize {
     let Some(lattice) = inputs.body.cells().filter(|_| mixture.fibre_angles().len() > 1) else { return 0 };
     let reach = inputs.material.about().horizon_ratio as i32;
@@ -102,10 +103,9 @@ fn stretches_beside(inputs: &ModelInputs, mixture: &Mixture) -> usize {
     };
     let of = |point: usize| {
         let [i, j, _] = lattice.cell(point);
-        (j, i.div_euclid(64), mixture.numbers[point])
+        [j, i.div_euclid(64)]
     };
-    let mut found: Vec<_> = (0..lattice.points()).filter(|point| is_beside(*point)).map(of).collect();
-    found.dedup();
+    let found: BTreeSet<[i32; 2]> = (0..lattice.points()).filter(|point| is_beside(*point)).map(of).collect();
     found.len()
 }
 
@@ -200,11 +200,17 @@ fn refuse_unbroken(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults)
 }
 
 /// Adds a fault for an angle of fibres that is none, and for one in a body that breaks.
-fn check_fibre_angle(given: &RegionMaterial, case: &Case, path: &JsonPath, faults: &mut Faults) {
+fn check_fibre_angle(
+    given: &RegionMaterial,
+    (case, takes): (&Case, &[(&'static str, f64)]),
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
     let Some(angle) = given.fibre_angle else { return };
     let path = path.key("fibre_angle");
     fibre_angle(angle, path.clone(), faults);
-    if case.fracture.is_some() {
+    let is_other = takes.iter().any(|(key, base)| *key == "fibre_angle" && (angle - base) % 180.0 != 0.0);
+    if case.fracture.is_some() && is_other {
         faults
             .error(path, "bodies whose fibres run at several angles do not break")
             .hint("remove it, or leave out `fracture`");
