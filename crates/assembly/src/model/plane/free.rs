@@ -3,8 +3,8 @@
 //! A bond between points of one material is free at the measures `s* = ½ U (t_i + t_j)` of the free strains t of its points. One
 //! through several materials is so across their interface at the strains of the cells that it passes, each by its part of the length,
 //! and along the interface at those of its ends by their parts of the bond: across it layers stretch one after the other, along it
-//! they hold each other, each by its own stiffness. What completes the border is free at those of its places, a triangle at those of its point.
-//! The load of [`LatticeBody::add_free_work`] is that of the forces `Bᵀ C s*`, so that the energy of a state is
+//! they hold each other, each by its own stiffness. What completes the border is free at those of its places, a triangle at those
+//! of its point. The load of [`LatticeBody::add_free_work`] is that of the forces `Bᵀ C s*`, so that the energy of a state is
 //! `Σ ½ C (s − s*)² = ½ u·K u − f·u + Σ ½ C s*²`.
 
 use super::body::LatticeBody;

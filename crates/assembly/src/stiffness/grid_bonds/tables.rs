@@ -1,8 +1,7 @@
 //! Points with one of several tables of weights.
 
 use super::chunks::Chunks;
-use crate::body::Cell;
-use crate::body::{SquareLattice, plus};
+use crate::body::{Cell, SquareLattice, plus};
 
 /// Most tables beside that of the offsets.
 pub(super) const MOST: usize = 254;
