@@ -102,7 +102,7 @@ fn laminae_in_series_lose_no_twentieth_of_a_spacing() {
         case["loads"] = json!([{ "traction": { "edge": "right", "uniform": [100, 0] } }]);
         ask(&mut case, &["ux"], &[[40.0, 10.0]]);
         let lost = (probes(&case)[0] - 2000.0 * (1.0 / along + 1.0 / across)) / (100.0 / across);
-        assert!(lost.abs() < 0.05, "{along}: {lost}"); // -0.031, 0.029, 0.037
+        assert!(lost.abs() < 0.04, "{along}: {lost}"); // -0.031, 0.029, 0.037
     }
 }
 
@@ -198,7 +198,7 @@ fn heat_stresses_laminae_by_what_differs_in_their_expansions() {
             case["loads"] = json!([{ "temperature": { "change": 100 } }]);
             ask(&mut case, &STRESSES, &[[10.5, 5.5], [19.5, 9.5], [20.5, 10.5], [0.5, 19.5]]);
             let largest = probes(&case).iter().fold(0.0_f64, |most, s| most.max(s.abs()));
-            assert!(largest < 1e-13 * 181.0, "{base} {edges}: {largest:e}"); // 4e-15 of E α ΔT
+            assert!(largest < 1e-14 * 181.0, "{base} {edges}: {largest:e}"); // 4e-15 of E α ΔT
         }
     }
     // Cross plies around the middle: one strain, in which the forces of all plies sum to zero.
@@ -214,7 +214,7 @@ fn heat_stresses_laminae_by_what_differs_in_their_expansions() {
     let strain = (181_000.0 * 1e-4 + 10_300.0 * 3e-3) / (181_000.0 + 10_300.0);
     let off = largest_part(&probes(&case), &[181_000.0 * (strain - 1e-4), 10_300.0 * (strain - 3e-3)]);
     // What is free at the ends reaches far along fibres.
-    assert!(off < 5e-3, "{off:e}"); // 3.8e-3
+    assert!(off < 3.5e-3, "{off:e}"); // 2.9e-3
 }
 
 #[test]
@@ -224,7 +224,7 @@ fn strains_from_the_beginning_that_are_one_leave_laminae_free() {
     case["loads"] = json!([{ "initial_strain": { "xx": 1e-3, "xy": 2e-4 } }]);
     ask(&mut case, &STRESSES, &[[10.5, 5.5], [19.5, 9.5], [20.5, 10.5]]);
     let largest = probes(&case).iter().fold(0.0_f64, |most, s| most.max(s.abs()));
-    assert!(largest < 1e-12 * 181.0, "{largest:e}"); // 2e-14 of E ε
+    assert!(largest < 2e-14 * 181.0, "{largest:e}"); // 4e-15 of E ε
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn multigrid_takes_no_more_iterations_where_laminae_end_between_coarse_cells() {
         solve(&case)
     };
     let (one, (mixed, iterations)) = (of("multigrid", false).1[0], of("multigrid", true));
-    assert!(iterations[0] <= one + 6, "{iterations:?} {one}"); // 23 and 20
+    assert!(iterations[0] <= one + 4, "{iterations:?} {one}"); // 23 and 20
     let off = largest_part(&mixed, &of("sparse", true).0);
     assert!(off < 1e-10, "{off:e}"); // 8e-12
 }

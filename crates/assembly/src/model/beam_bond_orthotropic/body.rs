@@ -259,7 +259,7 @@ impl PlaneModel for BeamBondOrthotropic {
         let mut all: Vec<Vec<f64>> = even.iter().map(of).collect();
         // The stretch of joined sides has a part in forces on images.
         let own = match self.body.mirrors.joined {
-            [false, false, _] => by_lamina(self, &|point| self.body.table(point), all),
+            [false, false, _] if all.len() > 1 => by_lamina(self, &|point| self.body.table(point), all),
             _ => all.swap_remove(0),
         };
         force.iter_mut().zip(own).for_each(|(force, own)| *force += own);

@@ -3,8 +3,9 @@
 //! A bond between points of one material is free at the measures `s* = ½ U (t_i + t_j)` of the free strains t of its points. One
 //! through several materials is so across their interface at the strains of the cells that it passes, each by its part of the length,
 //! and along the interface at those of its ends by their parts of the bond: across it layers stretch one after the other, along it
-//! they hold each other, each by its own stiffness. What completes the border is free at those of its places, a triangle at those
-//! of its point. The load of [`LatticeBody::add_free_work`] is that of the forces `Bᵀ C s*`, so that the energy of a state is
+//! they hold each other, each by its own stiffness. Where moduli vary smoothly, all of it is by those parts. What completes the
+//! border is free at those of its places, a triangle at those of its point. The load of [`LatticeBody::add_free_work`] is that of
+//! the forces `Bᵀ C s*`, so that the energy of a state is
 //! `Σ ½ C (s − s*)² = ½ u·K u − f·u + Σ ½ C s*²`.
 
 use super::body::LatticeBody;
@@ -45,9 +46,10 @@ struct FreeThrough<'a, const M: usize> {
     points: [usize; 2],
     /// Parts of its moduli that the lower point has beyond half.
     beyond: &'a [f64; M],
-    /// Strains that need no stress, of its points, and the mean along it.
+    /// Strains of its points that need no stress.
     ends: [[f64; 3]; 2],
-    mean: [f64; 3],
+    /// Their mean along it; none where its materials vary so little that its ends tell enough.
+    mean: Option<[f64; 3]>,
     /// Direction of the interface; none where nothing changes.
     line: Option<[f64; 2]>,
 }
@@ -55,16 +57,22 @@ struct FreeThrough<'a, const M: usize> {
 impl<const M: usize> FreeThrough<'_, M> {
     /// The strain at which a measure is free.
     fn strain(&self, m: usize) -> [f64; 3] {
-        let part = |end: usize| [0.5 + self.beyond[m], 0.5 - self.beyond[m]][end];
-        let Some(line) = self.line else { return self.mean };
-        let held: f64 = (0..2).map(|end| part(end) * along(line, self.ends[end])).sum();
-        let more = with_along(line, held - along(line, self.mean));
-        from_fn(|q| self.mean[q] + more[q])
+        let parts = [0.5 + self.beyond[m], 0.5 - self.beyond[m]];
+        let held: [f64; 3] = from_fn(|q| parts[0] * self.ends[0][q] + parts[1] * self.ends[1][q]);
+        match (self.mean, self.line) {
+            (None, _) => held,
+            (Some(mean), None) => mean,
+            (Some(mean), Some(line)) => {
+                let more = with_along(line, along(line, held) - along(line, mean));
+                from_fn(|q| mean[q] + more[q])
+            }
+        }
     }
 
     /// What it has across the interface beyond the strain of an end.
     fn beyond_end(&self, end: usize) -> [f64; 3] {
-        let more: [f64; 3] = from_fn(|q| self.mean[q] - self.ends[end][q]);
+        let Some(mean) = self.mean else { return [0.0; 3] };
+        let more: [f64; 3] = from_fn(|q| mean[q] - self.ends[end][q]);
         let held = self.line.map_or([0.0; 3], |line| with_along(line, along(line, more)));
         from_fn(|q| more[q] - held[q])
     }
@@ -90,16 +98,19 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             offsets.iter().map(|step| Path::of(*step).pieces().collect()).collect();
         for (class, points, beyond) in interface.uneven.all() {
             let first = self.lattice.cell(points[0]);
-            let (mut sum, mut length) = ([0.0; 3], 0.0);
+            let (mut sum, mut length, mut is_apart) = ([0.0; 3], 0.0, false);
             for &(piece, part) in &paths[class] {
                 if let Some(point) = interface.mixture.point(body, plus(first, piece)) {
                     length += part;
+                    is_apart |= interface.mixture.strains_apart(point, points[0])
+                        || interface.mixture.strains_apart(points[0], point);
                     sum.iter_mut().zip(at(point)).for_each(|(sum, own)| *sum += part * own);
                 }
             }
-            let (ends, mean) = (points.map(at), sum.map(|sum| sum / length));
+            let ends = points.map(at);
+            let mean = is_apart.then(|| sum.map(|sum| sum / length));
             let strain = |cell| Some(at(interface.mixture.point(body, cell)?));
-            let line = self.interface_line(&strain, (first, offsets[class]), ends);
+            let line = mean.and_then(|_| self.interface_line(&strain, (first, offsets[class]), ends));
             visit(&FreeThrough { class, points, beyond, ends, mean, line });
         }
     }

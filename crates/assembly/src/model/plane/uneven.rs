@@ -69,6 +69,9 @@ impl<const M: usize> MixedBonds<M> {
                             if factor != 1.0 {
                                 found.exceptions.push(Exception { offset, lower, factor });
                             }
+                            if shares[0] == shares[1] && lacks == [[0.0]; 2] {
+                                continue;
+                            }
                             let weights = neighbourhood.weights_of(table, offset);
                             let times = |[factor]: [f64; 1]| weights.map(|weight| factor * weight);
                             Through {
