@@ -5,7 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a line, a member or a region of a body would be strained by if nothing held it: prestress, misfit, swelling, shrinkage. Of a
-/// line or member give one of `strain`, `length` and `force`, or `curvature`, or both; of a body its components.
+/// line or member give one of `strain`, `length` and `force`, or `curvature`, or both; of a body its components; of a plate in bending
+/// those of its curvature.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct InitialStrain {
@@ -27,16 +28,17 @@ pub struct InitialStrain {
     /// Name of the region of a body that has it; the whole body if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
-    /// Of a body: strain along x, a number or a formula of x, y and, in a solid, z.
+    /// Of a body: strain along x, a number or a formula of x, y and, in a solid, z. Of a plate in bending: the curvature `curvature_xx`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub xx: Option<Amount>,
-    /// Of a body: strain along y, as that along x.
+    /// Of a body: strain along y, as that along x. Of a plate in bending: the curvature `curvature_yy`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yy: Option<Amount>,
     /// Of a solid, or of a body in plane strain: strain along z, as that along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zz: Option<Amount>,
-    /// Of a body: half of the change of the angle between x and y, as the field `strain_xy`; as that along x.
+    /// Of a body: half of the change of the angle between x and y, as the field `strain_xy`; as that along x. Of a plate in bending: the
+    /// curvature `curvature_xy`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub xy: Option<Amount>,
     /// Of a solid: half of the change of the angle between y and z.

@@ -29,7 +29,7 @@ impl Load {
         match self {
             Self::Traction(load) => any(&[&load.pressure]) || all(&load.formula),
             Self::BodyForce(load) => all(&load.density),
-            Self::Temperature(load) => any(&[&load.change]),
+            Self::Temperature(load) => any(&[&load.change, &load.difference]),
             Self::Line(load) => any(&[&load.force, &load.moment_n, &load.moment_t]),
             Self::Pressure(load) => load.formula.as_deref().is_some_and(knows_load_factor),
             Self::Distributed(load) => load.forces().any(

@@ -15,9 +15,10 @@ pub struct Temperature {
     /// beam that of the axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub change: Option<Amount>,
-    /// Kelvin by which the top of a beam, the side of +w, becomes warmer than the bottom, straight over the height of the section.
+    /// Kelvin by which the top of a beam or of a plate in bending, the side of +w, becomes warmer than the bottom, straight over the
+    /// height; on a plate a number or a formula of x and y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub difference: Option<f64>,
+    pub difference: Option<Amount>,
     /// Member of a frame that changes its temperature.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub member: Option<String>,

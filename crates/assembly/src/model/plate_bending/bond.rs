@@ -57,14 +57,24 @@ impl PieceBond {
     ) -> Self {
         let [x, y, _] = nodes.lattice().vector(offset.step);
         let whole = x.hypot(y);
-        let (length, n) = (piece.part * whole, [x / whole, y / whole]);
+        let (length, n) = (piece.part() * whole, [x / whole, y / whole]);
         let mut members: Vec<Member> = Vec::with_capacity(4);
         for (end, sign) in piece.ends.iter().zip([-1.0, 1.0]) {
             add_end(nodes, end, sign / length, n, &mut members);
         }
-        let factor = nodes.spacing() * nodes.spacing() * piece.weight * piece.part;
+        let factor = nodes.spacing() * nodes.spacing() * piece.weight * piece.part();
         let [bending, shear] = moduli(parameters, offset, length).map(|modulus| factor * modulus);
         Self { members, modulus: [[bending, 0.0], [0.0, shear]] }
+    }
+
+    /// Adds what is conjugate to its measures at some values of these to the forces on `n` points.
+    pub(super) fn add_actions(&self, measures: [f64; 2], n: usize, force: &mut [f64]) {
+        for (point, rows) in &self.members {
+            for c in [W, PHI_X, PHI_Y] {
+                let of = |m: usize| self.modulus[m][m] * measures[m] * rows[m][c];
+                force[c * n + point] += of(0) + of(1);
+            }
+        }
     }
 
     /// Number of points beside the first.

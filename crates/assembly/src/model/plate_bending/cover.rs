@@ -25,11 +25,20 @@ pub(super) struct PieceEnd {
 pub(super) struct Piece {
     /// Index of the offset.
     pub(super) offset: usize,
+    /// Where the bond would start, which may be outside of the body.
+    pub(super) node: [i32; 2],
+    /// Where the piece starts and ends, in parts of the bond.
+    pub(super) range: [f64; 2],
     pub(super) ends: [PieceEnd; 2],
-    /// Its length per that of the bond.
-    pub(super) part: f64,
     /// Part of it in the body: 1, or 1/2 along edges.
     pub(super) weight: f64,
+}
+
+impl Piece {
+    /// Its length per that of the bond.
+    pub(super) fn part(&self) -> f64 {
+        self.range[1] - self.range[0]
+    }
 }
 
 /// Part in cells that are `inside` of the bond at an offset from a point, as a whole.
@@ -92,7 +101,8 @@ fn along(
         let ends = [from, sum(from, unit)].map(|node| nodes.number(node));
         if let [Some(a), Some(b)] = ends {
             let ends = [a, b].map(|point| PieceEnd { points: [point; 2], fraction: 0.0 });
-            pieces.push(Piece { offset, ends, part: 1.0 / f64::from(p + q), weight: part - least });
+            let range = [k, k + 1].map(|k| f64::from(k) / f64::from(p + q));
+            pieces.push(Piece { offset, node, range, ends, weight: part - least });
         }
     }
 }
@@ -114,10 +124,48 @@ fn oblique(
             let range = [cuts[first], cuts[first + count]];
             let ends = range.map(|t| end(nodes, node, step.map(|c| t * f64::from(c))));
             if let [Some(a), Some(b)] = ends {
-                pieces.push(Piece { offset, ends: [a, b], part: range[1] - range[0], weight: 1.0 });
+                pieces.push(Piece { offset, node, range, ends: [a, b], weight: 1.0 });
             }
         }
         first += count.max(1);
+    }
+}
+
+/// A bond with its segments in cells, relative to its first point.
+pub(super) struct Crossed {
+    step: [i32; 2],
+    cuts: Vec<f64>,
+    cells: Vec<[i32; 2]>,
+}
+
+impl Crossed {
+    /// Of an offset.
+    pub(super) fn new([p, q, _]: Cell) -> Self {
+        let (cuts, cells) = crossed([p, q]);
+        Self { step: [p, q], cuts, cells }
+    }
+
+    /// Part of what the bond has in `all` cells, from a place to another one in parts of its length, that is in `some` of them.
+    pub(super) fn share(&self, (some, all): (Inside, Inside), node: [i32; 2], [from, to]: [f64; 2]) -> f64 {
+        let (mut of_some, mut of_all) = (0.0, 0.0);
+        let mut add = |cell: [i32; 2], length: f64| {
+            if all(cell) {
+                of_all += length;
+                of_some += if some(cell) { length } else { 0.0 };
+            }
+        };
+        for (ends, &cell) in self.cuts.windows(2).zip(&self.cells) {
+            let length = (ends[1].min(to) - ends[0].max(from)).max(0.0);
+            let cell = sum(node, cell);
+            add(cell, length);
+            match self.step {
+                // Along a line of the lattice a half lies on either side.
+                [_, 0] => add(sum(cell, [0, -1]), length),
+                [0, _] => add(sum(cell, [-1, 0]), length),
+                _ => {}
+            }
+        }
+        if of_all > 0.0 { of_some / of_all } else { 0.0 }
     }
 }
 

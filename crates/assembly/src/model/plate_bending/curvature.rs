@@ -3,6 +3,7 @@
 //! Each cell has four, of one of its corners and the two next ones, a quarter of its area each. They act on rotations alone, so
 //! that they cannot lock. All cells are alike: one matrix is kept, of the rotations of three corners relative to the first.
 
+use super::free::FreeCurvature;
 use super::nodes::{Inside, PlateNodes};
 use super::{PHI_X, PHI_Y, PlateSection};
 use crate::bonds::{Mat, add};
@@ -108,6 +109,29 @@ impl Triangles {
 
     fn each(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.rows.iter().flatten().copied()
+    }
+
+    /// Adds the load of a curvature that cells are free at.
+    pub(super) fn add_free(
+        &self,
+        nodes: &PlateNodes,
+        free: &FreeCurvature,
+        unit: [f64; 3],
+        force: &mut [f64],
+    ) {
+        let ([xx, yy, xy], h, n) = (unit, nodes.spacing(), self.points);
+        // Rotations of the corners relative to the first where the curvature is the unit.
+        let s = [xx, xy, xy, yy, xx + xy, xy + yy].map(|c| h * c);
+        let unit: [f64; MEASURES] = from_fn(|m| (0..MEASURES).map(|k| self.modulus[m][k] * s[k]).sum());
+        for cell in self.each().filter(|cell| free.is_in(nodes, nodes.node(cell[0] as usize))) {
+            let [own, others @ ..] = Self::corners(cell);
+            let sum: f64 = others.iter().map(|&point| free.values[point]).sum();
+            let value = 0.25 * (free.values[own] + sum);
+            for (c, plane) in [PHI_X, PHI_Y].into_iter().enumerate() {
+                force[plane * n + own] -= value * (unit[c] + unit[2 + c] + unit[4 + c]);
+                others.iter().enumerate().for_each(|(k, &p)| force[plane * n + p] += value * unit[2 * k + c]);
+            }
+        }
     }
 
     /// Adds the forces of the cells of a row to the rotations of points from `first` on.

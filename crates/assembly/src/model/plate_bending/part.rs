@@ -65,6 +65,11 @@ impl Part {
         of_two.list().len() + of_three.list().len() + of_four.list().len()
     }
 
+    /// What bonds lack.
+    pub(super) fn triangles(&self) -> Option<&Triangles> {
+        self.triangles.as_deref()
+    }
+
     pub(super) fn terms(&self) -> Vec<Box<dyn Term<3>>> {
         let Pieces { of_two, of_three, of_four } = &self.pieces;
         let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];

@@ -8,6 +8,7 @@
 //! Beside a step of the thickness differences are one-sided, as the curvature is not continuous there, and a point on the step has the
 //! mean of its cells: of moments that bend across the step, which are the same on both sides, and of those along it, which are not.
 
+use super::free::FreeCurvature;
 use super::nodes::part_along;
 use super::part::Part;
 use super::weights::Weighted;
@@ -28,9 +29,9 @@ pub struct PlateFields {
 type OnMirror<'a> = &'a dyn Fn(usize) -> [bool; 2];
 
 impl PlateBending {
-    /// The fields of unknowns; `on_mirror` says of a point whether it is on lines of symmetry across x and y, behind which the plate goes
-    /// on.
-    pub fn fields(&self, u: &[f64], on_mirror: OnMirror) -> PlateFields {
+    /// The fields of unknowns under multiples of curvatures that need no moments; `on_mirror` says of a point whether it is on lines of symmetry across
+    /// x and y, behind which the plate goes on.
+    pub fn fields(&self, u: &[f64], free: &[(f64, &FreeCurvature)], on_mirror: OnMirror) -> PlateFields {
         let n = self.nodes().points();
         let (mut curvature, mut moment) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
         for point in 0..n {
@@ -44,8 +45,12 @@ impl PlateBending {
                     moment[point][k] += part / area * own_moment[k];
                 }
             }
+            for (factor, free) in free {
+                let without = self.moments_of(free, point);
+                moment[point].iter_mut().zip(without).for_each(|(own, without)| *own -= factor * without);
+            }
         }
-        PlateFields { curvature, moment, shear: self.shear_forces(u, on_mirror) }
+        PlateFields { curvature, moment, shear: self.shear_forces(u, free, on_mirror) }
     }
 
     /// Curvature at a point of the part with a section.
@@ -100,8 +105,8 @@ impl PlateBending {
     }
 
     /// Shear forces of all points.
-    fn shear_forces(&self, u: &[f64], on_mirror: OnMirror) -> Vec<[f64; 2]> {
-        let by_bonds = self.shear_of_bonds(u, on_mirror);
+    fn shear_forces(&self, u: &[f64], free: &[(f64, &FreeCurvature)], on_mirror: OnMirror) -> Vec<[f64; 2]> {
+        let by_bonds = self.shear_of_bonds(u, free, on_mirror);
         let h = self.nodes().spacing();
         // All four cells about it belong to the body, or are images of some.
         let is_inner = |point: usize| {
@@ -142,30 +147,34 @@ impl PlateBending {
     }
 
     /// Shear forces by the bonds of every point: least squares of `V·n = s γ_b/(2ω)`, weighed by ω and the part in the body.
-    fn shear_of_bonds(&self, u: &[f64], on_mirror: OnMirror) -> Vec<[f64; 2]> {
-        let (nodes, n) = (self.nodes(), self.nodes().points());
-        let mut sums = vec![([0.0; 3], [0.0; 2]); n];
-        for Part { parameters, offsets, bonds, .. } in self.parts() {
-            let of_offset = |offset: &Weighted| {
-                let [x, y, _] = nodes.lattice().vector(offset.step);
-                let length = x.hypot(y);
-                ([x / length, y / length], length, parameters.shear(1.0, length))
-            };
-            let directions: Vec<([f64; 2], f64, f64)> = offsets.iter().map(of_offset).collect();
-            bonds.for_each_bond(|offset, [i, j], [factor, ..]| {
-                let (direction, length, unit) = directions[offset];
-                let weight = factor * offsets[offset].shear;
-                let turn = |k: usize| direction[k] * 0.5 * (u[(k + 1) * n + i] + u[(k + 1) * n + j]);
-                let strain = (u[j] - u[i]) / length - turn(0) - turn(1);
-                let [x, y] = direction;
+    fn shear_of_bonds(
+        &self,
+        u: &[f64],
+        free: &[(f64, &FreeCurvature)],
+        on_mirror: OnMirror,
+    ) -> Vec<[f64; 2]> {
+        let n = self.nodes().points();
+        let (mut matrices, mut right) = (vec![[0.0; 3]; n], vec![[0.0; 2]; n]);
+        for (number, part) in self.parts().iter().enumerate() {
+            let ways = self.ways(part);
+            part.bonds.for_each_bond(|offset, [i, j], [factor, ..]| {
+                let Way { direction: [x, y], length, unit } = ways[offset];
+                let weight = factor * part.offsets[offset].shear;
+                let turn = |plane: usize| 0.5 * (u[plane * n + i] + u[plane * n + j]);
+                let strain = (u[j] - u[i]) / length - x * turn(PHI_X) - y * turn(PHI_Y);
                 for point in [i, j] {
-                    let (matrix, right) = &mut sums[point];
                     let products = [x * x, x * y, y * y];
-                    matrix.iter_mut().zip(products).for_each(|(sum, part)| *sum += weight * part);
-                    let along = weight * 0.5 * unit * strain;
-                    right.iter_mut().zip([x, y]).for_each(|(sum, part)| *sum += along * part);
+                    matrices[point].iter_mut().zip(products).for_each(|(sum, part)| *sum += weight * part);
+                    add(&mut right[point], weight * 0.5 * unit * strain, [x, y]);
                 }
             });
+            for (multiple, free) in free {
+                self.each_free((part, number), free, |bond| {
+                    let weight = multiple * bond.factors[0] * part.offsets[bond.offset].shear;
+                    let without = weight * 0.5 * ways[bond.offset].unit * bond.measures[1];
+                    bond.ends.iter().for_each(|&point| add(&mut right[point], -without, bond.direction));
+                });
+            }
         }
         // Bonds and their images together have no product of both axes, and no shear force across a mirror.
         let with_images = |(point, ([xx, xy, yy], [x, y])): (usize, ([f64; 3], [f64; 2]))| {
@@ -173,8 +182,32 @@ impl PlateBending {
             let xy = if is_on.contains(&true) { 0.0 } else { xy };
             solved([xx, xy, yy], [if is_on[0] { 0.0 } else { x }, if is_on[1] { 0.0 } else { y }])
         };
-        sums.into_iter().enumerate().map(with_images).collect()
+        matrices.into_iter().zip(right).enumerate().map(with_images).collect()
     }
+
+    /// What the bonds of every offset of a part know of shear.
+    fn ways(&self, part: &Part) -> Vec<Way> {
+        let way = |offset: &Weighted| {
+            let [x, y, _] = self.nodes().lattice().vector(offset.step);
+            let length = x.hypot(y);
+            let unit = part.parameters.shear(1.0, length);
+            Way { direction: [x / length, y / length], length, unit }
+        };
+        part.offsets.iter().map(way).collect()
+    }
+}
+
+/// A direction of bonds, their length, and their shear stiffness at the weight one.
+#[derive(Clone, Copy)]
+struct Way {
+    direction: [f64; 2],
+    length: f64,
+    unit: f64,
+}
+
+/// Adds a value along a direction.
+fn add(sum: &mut [f64; 2], value: f64, direction: [f64; 2]) {
+    sum.iter_mut().zip(direction).for_each(|(sum, part)| *sum += value * part);
 }
 
 /// The value of a point on an end of the plate that is next to it, and the sign of its side; none of an inner point.

@@ -6,6 +6,7 @@ use super::reaction::{self, PlateReaction};
 use crate::case::{FieldName, Origin, PlateOrigin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::PlateScene;
+use crate::scene::body::BodyState;
 use crate::scene::plate::Thickness;
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, PlateFields, W};
 use std::borrow::Cow;
@@ -29,12 +30,15 @@ pub struct PlateResult {
     thickness: Arc<Thickness>,
 }
 
-/// Curvatures, moments and shear forces, with what goes on behind lines of symmetry.
-fn recovered(scene: &PlateScene, u: &[f64]) -> PlateFields {
+/// Curvatures, moments and shear forces of a state, with what goes on behind lines of symmetry.
+fn recovered(scene: &PlateScene, state: &BodyState, u: &[f64]) -> PlateFields {
     let mirrors = scene.supports.iter().filter(|support| support.is_mirror);
     let terms = mirrors.flat_map(|mirror| &scene.equations[mirror.equations.clone()]).flat_map(|e| &e.terms);
     let on: BTreeSet<(usize, usize)> = terms.map(|(held, _)| (held.point, held.component)).collect();
-    scene.plate.fields(u, &|point| [PHI_X, PHI_Y].map(|across| on.contains(&(point, across))))
+    let of_term =
+        |&(case, factor): &(usize, f64)| scene.load_cases[case].free.iter().map(move |free| (factor, free));
+    let free: Vec<_> = state.terms.iter().flat_map(of_term).collect();
+    scene.plate.fields(u, &free, &|point| [PHI_X, PHI_Y].map(|across| on.contains(&(point, across))))
 }
 
 /// Collects the result of a state.
@@ -50,7 +54,7 @@ pub(super) fn collect(scene: &PlateScene, solved: SolvedState, recover: bool) ->
     PlateResult {
         reactions: reaction::of_supports(scene, &solution.multipliers, &u),
         along_lines: along_lines(scene, &solution.multipliers, &u),
-        recovered: recover.then(|| recovered(scene, &u)),
+        recovered: recover.then(|| recovered(scene, state, &u)),
         multipliers: solution.multipliers,
         points: n,
         thickness: scene.thickness.clone(),

@@ -43,8 +43,9 @@ pub(super) fn add(
     let given = GivenExtent { member: load.member.as_deref(), from: None, to: None };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
     let Some(alpha) = member_material::expansion(case, load.member.as_deref(), path, faults) else { return };
-    let Some(change) = change(load, path, faults) else { return };
-    let difference = load.difference.unwrap_or(0.0);
+    let mut kelvin = |given: &Option<Amount>, key: &str| uniform(given.as_ref(), &path.key(key), faults);
+    let (change, difference) = (kelvin(&load.change, "change"), kelvin(&load.difference, "difference"));
+    let (Some(change), Some(difference)) = (change, difference) else { return };
     if change == 0.0 && difference == 0.0 {
         faults.error(path.clone(), "this load is zero").hint("give `change`, `difference`, or both");
     }
@@ -66,13 +67,13 @@ pub(super) fn add(
     eigenstrain::add(Eigenstrain { chain: extent.chain, forces, strains }, layout, &LOAD, path, to, faults);
 }
 
-/// Kelvin at the axis.
-fn change(load: &Temperature, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
-    if matches!(load.change, Some(Amount::Formula(_))) {
+/// Kelvin, zero where nothing is given.
+fn uniform(given: Option<&Amount>, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
+    if matches!(given, Some(Amount::Formula(_))) {
         faults
-            .error(path.key("change"), "formulas are for bodies: a line is as warm all along")
+            .error(path.clone(), "formulas are for bodies: a line is as warm all along")
             .hint("give a number, and members of their own where the temperature differs");
         return None;
     }
-    Some(number(load.change.as_ref()).unwrap_or(0.0))
+    Some(number(given).unwrap_or(0.0))
 }

@@ -16,12 +16,6 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         ("fracture", case.fracture.is_some(), "the bonds of a plate in bending do not break"),
         ("path", case.path.is_some(), "the bonds of a plate in bending do not soften"),
         ("strengths", case.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),
-        (
-            "thermal_expansion",
-            // Of a library, which has it for others, it does no harm.
-            case.thermal_expansion.is_some() && case.material.is_none(),
-            "a plate in bending has no change of temperature",
-        ),
     ];
     for (key, _, hint) in keys.iter().filter(|key| key.1) {
         faults.error(root(key), format!("`{key}` is not for plates in bending")).hint(*hint);
@@ -49,9 +43,12 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
         Load::Traction(_) => ("traction", "a force or moment per length of an edge is a `line`"),
         Load::BodyForce(_) => ("body_force", "a force per area is a `pressure`"),
         Load::Spin(_) => ("spin", "plates in bending move across their plane alone"),
-        Load::Temperature(_) => ("temperature", "plates in bending have no change of temperature"),
-        Load::InitialStrain(_) => ("initial_strain", "plates in bending have no initial strains"),
-        Load::Point(_) | Load::Pressure(_) | Load::Line(_) | Load::Gravity(_) => return,
+        Load::Point(_)
+        | Load::Pressure(_)
+        | Load::Line(_)
+        | Load::Gravity(_)
+        | Load::Temperature(_)
+        | Load::InitialStrain(_) => return,
     };
     faults.error(path.key(key), format!("`{key}` does not act on plates in bending")).hint(hint);
 }

@@ -1,38 +1,57 @@
 //! Loads of a plate on its points.
 
+use super::materials::PlateMaterial;
 use super::plate_loads::PlateLoads;
 use super::site::Site;
 use super::thickness::Thickness;
-use super::{foreign, gravity, line_load, point_load, pressure};
+use super::{foreign, gravity, heat, initial_curvature, line_load, point_load, pressure};
 use crate::case::Load;
-use crate::diagnostic::{Faults, root};
+use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::Resultant;
+use crate::scene::prescribed::Prescribed;
 use crate::scene::states::{self, Group};
 use peristat_assembly::model::plate_bending::PlateBending;
 
+/// A plate as it is made.
+pub(super) struct Made<'a> {
+    pub(super) plate: &'a PlateBending,
+    pub(super) thickness: &'a Thickness,
+    pub(super) materials: &'a [PlateMaterial],
+}
+
 /// All load cases.
-pub(super) fn load_cases(
-    site: &Site,
-    (plate, thickness): (&PlateBending, &Thickness),
-    faults: &mut Faults,
-) -> Vec<PlateLoads> {
+pub(super) fn load_cases(site: &Site, made: &Made, faults: &mut Faults) -> Vec<PlateLoads> {
     let resolve = |group: &Group, faults: &mut Faults| {
         let mut to = PlateLoads {
             force: vec![0.0; 3 * site.nodes.points()],
             asked: Resultant::default(),
             is_approximate: false,
+            free: Vec::new(),
         };
         let at = (site, group.factor);
         for &(k, load) in &group.loads {
             let path = group.path.index(k);
             match load {
                 Load::Pressure(load) => {
-                    pressure::add(load, at, plate, &path.key("pressure"), &mut to, faults);
+                    pressure::add(load, at, made.plate, &path.key("pressure"), &mut to, faults);
                 }
-                Load::Line(load) => line_load::add(load, at, plate, &path.key("line"), &mut to, faults),
+                Load::Line(load) => line_load::add(load, at, made.plate, &path.key("line"), &mut to, faults),
                 Load::Point(load) => point_load::add(load, site, &path.key("point"), &mut to, faults),
                 Load::Gravity(load) => {
-                    gravity::add(load, site, (plate, thickness), &path.key("gravity"), &mut to, faults);
+                    gravity::add(
+                        load,
+                        site,
+                        (made.plate, made.thickness),
+                        &path.key("gravity"),
+                        &mut to,
+                        faults,
+                    );
+                }
+                Load::Temperature(load) => {
+                    heat::add(load, at, made, &path.key("temperature"), &mut to, faults);
+                }
+                Load::InitialStrain(load) => {
+                    initial_curvature::add(load, at, made, &path.key("initial_strain"), &mut to, faults);
                 }
                 other => foreign::refuse(other, &path, faults),
             }
@@ -54,4 +73,17 @@ pub(super) fn check_loaded(site: &Site, cases: &[PlateLoads], moves: bool, fault
             .warning(root(key), "nothing acts on the plate: all results will be zero")
             .hint("give `loads`, or a support with a deflection that is not zero");
     }
+}
+
+/// Values at the points; a fault where a formula has none.
+pub(super) fn values(given: &Prescribed, site: &Site, path: &JsonPath, faults: &mut Faults) -> Vec<f64> {
+    let place = |point: usize| {
+        let [x, y] = site.nodes.place(point);
+        given.at([x, y, 0.0])
+    };
+    let found: Result<Vec<f64>, String> = (0..site.nodes.points()).map(place).collect();
+    found.unwrap_or_else(|reason| {
+        faults.error(path.clone(), reason);
+        vec![0.0; site.nodes.points()]
+    })
 }

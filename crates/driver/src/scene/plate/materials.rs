@@ -5,6 +5,7 @@ use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::memory;
 use crate::model::Bending;
 use crate::scene::body::site::ground::Ground;
+use crate::scene::expansion;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::plate_bending::{CellSections, PlateSection};
 
@@ -23,6 +24,8 @@ pub struct PlateMaterial {
     pub keys: Bending,
     /// Its stiffness.
     pub section: PlateSection,
+    /// Strain per kelvin, where it is other than that of the base.
+    pub thermal_expansion: Option<f64>,
     /// How many cells are of it.
     pub cells: usize,
 }
@@ -66,8 +69,13 @@ pub(super) fn of(
             break;
         }
         own.iter().for_each(|&cell| sections.numbers[cell as usize] = number);
-        let (name, section) = (name.clone(), parameters.section);
-        materials.push(PlateMaterial { name, keys, section, cells: own.len() });
+        let thermal_expansion = given.thermal_expansion.filter(|given| {
+            // One along and one across fibres is a fault.
+            expansion::is_one(*given, &path.key("thermal_expansion"), faults)
+        });
+        let thermal_expansion = thermal_expansion.map(|given| given.along_and_across()[0]);
+        let (name, section, cells) = (name.clone(), parameters.section, own.len());
+        materials.push(PlateMaterial { name, keys, section, thermal_expansion, cells });
     }
     found
 }
@@ -99,11 +107,6 @@ fn check_keys(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults) {
         ("strengths", given.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),
         ("critical", given.critical.is_some(), "the bonds of a plate in bending do not break"),
         ("interface", given.interface.is_some(), "the bonds of a plate in bending do not break"),
-        (
-            "thermal_expansion",
-            given.thermal_expansion.is_some() && given.material.is_none(),
-            "a plate in bending has no change of temperature",
-        ),
     ];
     for (key, _, hint) in foreign.iter().filter(|key| key.1) {
         let message = format!("`{key}` is nothing that regions of a plate in bending differ in");
@@ -114,10 +117,12 @@ fn check_keys(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults) {
             .error(path.key("youngs_modulus"), "`youngs_modulus` of a plate in bending is a number")
             .hint("divide the plate into regions that have one each");
     }
-    if given.thickness.is_none() && given.youngs_modulus.is_none() && given.poisson_ratio.is_none() {
+    let is_base =
+        given.thickness.is_none() && given.youngs_modulus.is_none() && given.poisson_ratio.is_none();
+    if is_base && given.thermal_expansion.is_none() {
         faults
             .error(path.clone(), "this region is as `model` says")
-            .hint("give its `thickness`, `youngs_modulus` or `poisson_ratio`");
+            .hint("give its `thickness`, `youngs_modulus`, `poisson_ratio` or `thermal_expansion`");
     }
 }
 

@@ -16,6 +16,11 @@ const COARSE: f64 = 0.01;
 pub(super) struct Loaded(Option<Vec<u32>>);
 
 impl Loaded {
+    /// Their numbers, ascending; none of all.
+    pub(super) fn numbers(self) -> Option<Vec<u32>> {
+        self.0
+    }
+
     /// Whether a cell of the plate is.
     pub(super) fn has(&self, site: &Site, [column, row]: [i32; 2]) -> bool {
         match (&self.0, site.nodes.cells().number([column, row, 0])) {

@@ -2,7 +2,7 @@
 
 use super::border::Border;
 use super::held_line::{self, HeldLine};
-use super::loads;
+use super::loads::{self, Made};
 use super::materials::{self, PlateMaterial};
 use super::plate_loads::PlateLoads;
 use super::probes::{self, PlateProbe};
@@ -143,7 +143,8 @@ impl PlateScene {
         };
         let mut held = supports::held(&site, faults);
         symmetry::hold(&site, &mut held, faults);
-        let load_cases = loads::load_cases(&site, (&plate, &thickness), faults);
+        let made = Made { plate: &plate, thickness: &thickness, materials: &materials };
+        let load_cases = loads::load_cases(&site, &made, faults);
         loads::check_loaded(&site, &load_cases, held.moves(), faults);
         let held_lines = held_line::lines(&site, &held);
         let probes = probes::probes(&site, (&held, &held_lines), faults);

@@ -4,6 +4,7 @@
 mod body;
 mod closed_forms;
 mod fields;
+mod free;
 mod patch;
 mod reference;
 mod steps;

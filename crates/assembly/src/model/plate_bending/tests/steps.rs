@@ -49,7 +49,7 @@ fn a_stepped_strip_is_exact_at_its_points() {
 const STEP: i32 = 5;
 
 /// 12 × 9 cells with a hole across a step to another thickness and Poisson's ratio.
-fn perforated(m: f64, t: f64) -> PlateBending {
+pub(super) fn perforated(m: f64, t: f64) -> PlateBending {
     let is_in = |[i, j]: [i32; 2]| !((3..7).contains(&i) && (3..5).contains(&j));
     let cells = SquareLattice::plane(0.1, [0.0; 2], 0..12, 0..9, is_in);
     let parameters = parameters(m, t);
@@ -98,7 +98,7 @@ fn a_step_between_uniform_curvatures_is_exact() {
         let off = largest(&mut u.iter().zip(&exact).map(|(a, b)| a - b));
         // 1e-13 is found.
         assert!(off < 1e-11 * largest(&mut exact.iter().copied()), "m = {m}, t = {t}: {off:.1e}");
-        let fields = plate.fields(&u, &|_| [false; 2]);
+        let fields = plate.fields(&u, &[], &|_| [false; 2]);
         for (point, moment) in fields.moment.iter().enumerate() {
             let x = plate.nodes().place(point)[0];
             let yy = match (x - step).abs() < 1e-9 {

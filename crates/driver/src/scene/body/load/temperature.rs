@@ -49,9 +49,11 @@ pub(crate) fn resolve(
     for (key, _) in
         [("difference", load.difference.is_some()), ("member", load.member.is_some())].iter().filter(|k| k.1)
     {
-        faults.error(path.key(*key), format!("`{key}` is for beams")).hint(
-            "a formula such as `\"change\": \"50*(1 - y/20)\"` says how a temperature varies in a body",
-        );
+        faults
+            .error(path.key(*key), format!("`{key}` is for what bends: beams, frames, plates in bending"))
+            .hint(
+                "a formula such as `\"change\": \"50*(1 - y/20)\"` says how a temperature varies in a body",
+            );
     }
     let Some(change) = &load.change else {
         faults
