@@ -27,9 +27,11 @@
 
 mod bed;
 mod bond;
+mod breaking;
 mod coarser;
 mod cover;
 mod curvature;
+mod curvature_term;
 mod error;
 mod free;
 mod load;
@@ -45,6 +47,7 @@ mod weights;
 
 pub use bed::Bed;
 pub use bond::PlateBond;
+pub use breaking::{CriticalCurvature, CriticalCurvatures};
 pub use coarser::PlateTransfer;
 pub use error::PlateError;
 pub use free::FreeCurvature;

@@ -17,6 +17,8 @@ pub struct PlateBending {
     nodes: PlateNodes,
     sections: Arc<CellSections>,
     parts: Vec<Part>,
+    /// Bonds that every point has lost.
+    pub(super) cut: Vec<f64>,
 }
 
 const COMPONENTS: [Component; 3] =
@@ -61,7 +63,8 @@ impl PlateBending {
             Part::new(&nodes, PlateParameters { section, ..parameters }, &inside)
         };
         let parts = all.map(part).collect::<Result<_, _>>()?;
-        Ok(Self { nodes, sections: Arc::new(sections), parts })
+        let cut = vec![0.0; nodes.points()];
+        Ok(Self { nodes, sections: Arc::new(sections), parts, cut })
     }
 
     /// Its parameters, with the section of cells that have no other.
@@ -91,6 +94,13 @@ impl PlateBending {
 
     pub(super) fn parts(&self) -> &[Part] {
         &self.parts
+    }
+
+    /// Takes a bond between next points out of a part, by the index of its offset and its lower point, and the triangles beside it.
+    pub(super) fn cut_bond(&mut self, part: usize, (offset, lower): (usize, usize)) {
+        if let Some((ends, factor)) = self.parts[part].cut_bond(&self.nodes, (offset, lower)) {
+            ends.iter().for_each(|&point| self.cut[point] += factor);
+        }
     }
 }
 

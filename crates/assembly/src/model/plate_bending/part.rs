@@ -70,6 +70,25 @@ impl Part {
         self.triangles.as_deref()
     }
 
+    /// Takes a bond between next points out, and the triangles beside it: its ends, and the part of it that was in the body; none if there
+    /// is no such bond.
+    pub(super) fn cut_bond(
+        &mut self,
+        nodes: &PlateNodes,
+        (offset, lower): (usize, usize),
+    ) -> Option<([usize; 2], f64)> {
+        let bond = self.bonds.bond(offset, lower)?;
+        let [x, y, _] = nodes.lattice().vector(self.offsets[offset].step);
+        let [whole, _] = moduli(&self.parameters, &self.offsets[offset], x.hypot(y));
+        let factor = bond.moduli[0] / (whole * nodes.spacing().powi(2));
+        Arc::make_mut(&mut self.bonds).break_bonds([(offset, lower)]);
+        let ends = bond.points.map(|point| point as usize);
+        if let Some(triangles) = &mut self.triangles {
+            Arc::make_mut(triangles).tear(nodes, ends);
+        }
+        Some((ends, factor))
+    }
+
     pub(super) fn terms(&self) -> Vec<Box<dyn Term<3>>> {
         let Pieces { of_two, of_three, of_four } = &self.pieces;
         let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];

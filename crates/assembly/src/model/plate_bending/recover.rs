@@ -64,7 +64,7 @@ impl PlateBending {
         [slope(PHI_X, 0), slope(PHI_Y, 1), 0.5 * (slope(PHI_X, 1) + slope(PHI_Y, 0))]
     }
 
-    /// Numbers of the points up to `count` steps along an axis, as far as the part with a section goes.
+    /// Numbers of the points up to `count` steps along an axis, as far as the part with a section goes and no bond between them has broken.
     fn ahead(&self, point: usize, axis: usize, (sign, number): (i32, usize), count: usize) -> Vec<usize> {
         let nodes = self.nodes();
         let inside = |cell: [i32; 2]| self.sections().has(nodes, number, cell);
@@ -74,7 +74,8 @@ impl PlateBending {
             let mut next = node;
             next[axis] += sign;
             let lower = if sign > 0 { node } else { next };
-            match nodes.number(next).filter(|_| part_along(&inside, lower, axis) > 0.0) {
+            let is_joined = part_along(&inside, lower, axis) > 0.0 && !self.is_cut(number, lower, axis);
+            match nodes.number(next).filter(|_| is_joined) {
                 Some(number) => found.push(number),
                 None => break,
             }
@@ -186,7 +187,7 @@ impl PlateBending {
     }
 
     /// What the bonds of every offset of a part know of shear.
-    fn ways(&self, part: &Part) -> Vec<Way> {
+    pub(super) fn ways(&self, part: &Part) -> Vec<Way> {
         let way = |offset: &Weighted| {
             let [x, y, _] = self.nodes().lattice().vector(offset.step);
             let length = x.hypot(y);
@@ -199,10 +200,10 @@ impl PlateBending {
 
 /// A direction of bonds, their length, and their shear stiffness at the weight one.
 #[derive(Clone, Copy)]
-struct Way {
+pub(super) struct Way {
     direction: [f64; 2],
     length: f64,
-    unit: f64,
+    pub(super) unit: f64,
 }
 
 /// Adds a value along a direction.

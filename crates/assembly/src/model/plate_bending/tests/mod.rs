@@ -2,6 +2,7 @@
 //! else is said. Its unit is D = 1, and S = 3.5/t² for ν = 0.3 and κ = 5/6.
 
 mod body;
+mod breaking;
 mod closed_forms;
 mod fields;
 mod free;
