@@ -200,6 +200,42 @@ fn a_quarter_is_the_whole_and_both_halves_are_all() {
 }
 
 #[test]
+fn a_twist_has_the_other_sign_behind_a_mirror() {
+    let of = |size: f64, supports: Value| {
+        let mut case = warm(16, 0.02, supports);
+        case["body"] = json!({ "rectangle": { "size": [size, size], "spacing": 1.0 / 16.0 } });
+        case["loads"] = json!([ { "initial_strain": { "xx": 2, "xy": 1 } } ]);
+        case["probes"] = json!([ { "name": "middle", "at": { "x": 0.5, "y": 0.5 }, "field": "w" },
+            { "name": "M_yy", "at": { "x": 0.5, "y": 0.25 }, "field": "M_yy" },
+            { "name": "M_xy", "at": { "x": 0.25, "y": 0.3125 }, "field": "M_xy" },
+            { "name": "on the line", "at": { "x": 0.5, "y": 0.25 }, "field": "M_xy" } ]);
+        case
+    };
+    let mut whole = of(1.0, clamped());
+    let quarters = [("a", [0.0, 0.0]), ("b", [0.5, 0.0]), ("c", [0.0, 0.5]), ("d", [0.5, 0.5])];
+    whole["loads"] = json!([ { "initial_strain": { "xx": 2 } } ]);
+    whole["regions"] = json!({});
+    for (k, (name, [x, y])) in quarters.into_iter().enumerate() {
+        whole["regions"][name] = json!({ "box": { "from": [x, y], "to": [x + 0.5, y + 0.5] } });
+        let twist = if k == 0 || k == 3 { 1 } else { -1 };
+        let loads = whole["loads"].as_array_mut().expect("loads");
+        loads.push(json!({ "initial_strain": { "xy": twist, "region": name } }));
+    }
+    let mut quarter = of(
+        0.5,
+        json!([ { "at": { "region": "left" }, "w": 0, "phi_n": 0, "phi_t": 0 },
+        { "at": { "region": "bottom" }, "w": 0, "phi_n": 0, "phi_t": 0 } ]),
+    );
+    quarter["symmetry"] = json!(["right", "top"]);
+    let [quarter, whole] = [&quarter, &whole].map(solved);
+    for name in ["middle", "M_yy", "M_xy", "on the line"] {
+        let error = (probe(&quarter, name) - probe(&whole, name)).abs();
+        println!("TW {name} {:e} {:e} {error:e}", probe(&quarter, name), probe(&whole, name));
+        assert!(error < 1e-13, "{name}: {error:.1e}");
+    }
+}
+
+#[test]
 fn an_initial_curvature_is_the_temperature_that_makes_it() {
     let warmed = solved(&warm(12, 0.05, hard()));
     let mut case = warm(12, 0.05, hard());
@@ -238,6 +274,8 @@ fn cycles_agree_with_a_factor() {
 fn what_does_not_bend_a_plate_is_refused() {
     let with = |load: Value| {
         let mut case = warm(8, 0.1, hard());
+        case["regions"] = json!({ "right half": { "box": { "from": [0.5, 0], "to": [1, 1] } },
+            "most": { "box": { "from": [0.25, 0], "to": [1, 1] } } });
         case["loads"] = json!([load]);
         refusal(&case)
     };
@@ -247,8 +285,9 @@ fn what_does_not_bend_a_plate_is_refused() {
         (json!({ "temperature": { "difference": 0 } }), "this load is zero"),
         (json!({ "temperature": { "difference": "20*z" } }), "`z`"),
         (json!({ "temperature": { "difference": "1/(x - x)" } }), "the formula is inf at the point (0, 0)"),
+        (json!({ "temperature": { "difference": "sqrt(x - 0.6)", "region": "most" } }), "formula"),
         (json!({ "temperature": { "difference": 5, "member": "a" } }), "`member` is for frames"),
-        (json!({ "temperature": { "difference": 5, "region": "nowhere" } }), "nowhere"),
+        (json!({ "temperature": { "difference": 5, "region": "nowhere" } }), "there is no region `nowhere`"),
         (json!({ "initial_strain": { "zz": 1 } }), "no curvature `zz`"),
         (json!({ "initial_strain": { "curvature": 1 } }), "for lines and members"),
         (json!({ "initial_strain": {} }), "this load is zero"),
@@ -257,6 +296,8 @@ fn what_does_not_bend_a_plate_is_refused() {
         let found = with(load.clone());
         assert!(found.contains(words), "{load}: {found}");
     }
+    // Where a formula is not asked for it needs no value.
+    assert_eq!(with(json!({ "temperature": { "difference": "sqrt(x - 0.5)", "region": "right half" } })), "");
     let mut case = warm(8, 0.1, hard());
     case["thermal_expansion"] = json!(null);
     assert!(refusal(&case).contains("needs the `thermal_expansion`"), "{}", refusal(&case));

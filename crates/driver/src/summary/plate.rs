@@ -50,6 +50,9 @@ pub struct PlateRegion {
     pub thickness: f64,
     /// Bending stiffness D per width.
     pub bending_stiffness: f64,
+    /// Strain per kelvin, where it is other than that of the case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thermal_expansion: Option<f64>,
     /// Area of its cells.
     pub area: f64,
 }
@@ -94,6 +97,7 @@ pub(super) fn model(scene: &PlateScene) -> PlateSummary {
         poisson_ratio: material.keys.poisson_ratio,
         thickness: material.keys.thickness,
         bending_stiffness: material.section.bending,
+        thermal_expansion: material.thermal_expansion,
         area: area * material.cells as f64,
     };
     PlateSummary {

@@ -145,27 +145,31 @@ impl Crossed {
         Self { step: [p, q], cuts, cells }
     }
 
-    /// Part of what the bond has in `all` cells, from a place to another one in parts of its length, that is in `some` of them.
-    pub(super) fn share(&self, (some, all): (Inside, Inside), node: [i32; 2], [from, to]: [f64; 2]) -> f64 {
-        let (mut of_some, mut of_all) = (0.0, 0.0);
-        let mut add = |cell: [i32; 2], length: f64| {
-            if all(cell) {
-                of_all += length;
-                of_some += if some(cell) { length } else { 0.0 };
-            }
-        };
+    /// `∫ c sᵏ ds` for k = 0, 1 and 2 along the bond from a place, s = 0, to another one, s = 1, given in parts of its length: c is the part
+    /// of what the bond has there in `all` cells that is in `some` of them.
+    pub(super) fn moments(
+        &self,
+        (some, all): (Inside, Inside),
+        node: [i32; 2],
+        [from, to]: [f64; 2],
+    ) -> [f64; 3] {
+        let mut moments = [0.0; 3];
         for (ends, &cell) in self.cuts.windows(2).zip(&self.cells) {
-            let length = (ends[1].min(to) - ends[0].max(from)).max(0.0);
             let cell = sum(node, cell);
-            add(cell, length);
-            match self.step {
+            let beside = match self.step {
                 // Along a line of the lattice a half lies on either side.
-                [_, 0] => add(sum(cell, [0, -1]), length),
-                [0, _] => add(sum(cell, [-1, 0]), length),
-                _ => {}
-            }
+                [_, 0] => Some(sum(cell, [0, -1])),
+                [0, _] => Some(sum(cell, [-1, 0])),
+                _ => None,
+            };
+            let known = || [Some(cell), beside].into_iter().flatten().filter(|&cell| all(cell));
+            let part = known().filter(|&cell| some(cell)).count() as f64 / (known().count() as f64).max(1.0);
+            let [a, b] = [ends[0], ends[1]].map(|cut| ((cut - from) / (to - from)).clamp(0.0, 1.0));
+            (1..)
+                .zip(&mut moments)
+                .for_each(|(k, sum)| *sum += part * (b.powi(k) - a.powi(k)) / f64::from(k));
         }
-        if of_all > 0.0 { of_some / of_all } else { 0.0 }
+        moments
     }
 }
 

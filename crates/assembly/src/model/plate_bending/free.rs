@@ -1,8 +1,8 @@
 //! Curvatures that need no moments: those of a temperature that differs over the thickness, or there from the beginning.
 //!
-//! A bond is free of moment at the mean of `n·κ*·n` over its ends, by the part of its length in cells that have κ*. It sees a curvature
-//! that varies along it as a shear `−ξ² (n·∇)²(φ·n)/12`; the shear of κ*, `−ξ (n·κ*·n)/12` from end to end, needs no force. A triangle is free
-//! at the mean of the corners of its cell. Every uniform curvature is then free of moments to rounding, whatever edges and steps.
+//! A bond is free of force at the measures that it has where the plate along it curves by `n·κ*·n`, linearly from end to end and as far
+//! as it lies in cells that have κ*: a curvature that varies along a bond is a shear to it. A triangle is free of moment at the mean of the
+//! corners of its cell. Where κ* is the same everywhere no moment is left but rounding, whatever the edges and the steps.
 
 use super::bond::{PieceBond, moduli};
 use super::cover::{self, Crossed, PieceEnd};
@@ -11,7 +11,7 @@ use super::part::Part;
 use super::weights::Weighted;
 use super::{PHI_X, PHI_Y, PlateBending, W};
 
-/// A curvature that some cells would have if nothing held them.
+/// A curvature that some cells would have if nothing held them. There is one unit per section and one value per point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeCurvature {
     /// Numbers of the cells that have it, ascending; all if not given.
@@ -36,10 +36,16 @@ fn along([xx, yy, xy]: [f64; 3], [x, y]: [f64; 2]) -> f64 {
     x * x * xx + y * y * yy + 2.0 * x * y * xy
 }
 
-/// Measures at which a bond of a length is free, of the curvatures along it at its ends.
-fn measures([from, to]: [f64; 2], length: f64) -> [f64; 2] {
-    [0.5 * (from + to), -length * (to - from) / 12.0]
+/// Measures at which a bond of a length is free of force, of the curvatures `κ_i` and `κ_j` along it at its ends, linear between them
+/// where it has them: `κ_b = ∫ κ ds` and `γ_b = ξ ∫ (½ − s) κ ds`, as for the deflection and the slope that follow from κ.
+fn measures([i, j]: [f64; 2], [whole, first, second]: [f64; 3], length: f64) -> [f64; 2] {
+    let bending = i * (whole - first) + j * first;
+    let shear = i * (0.5 * whole - 1.5 * first + second) + j * (0.5 * first - second);
+    [bending, length * shear]
 }
+
+/// `∫ sᵏ ds` of a bond that has the curvature from end to end.
+const ALL: [f64; 3] = [1.0, 0.5, 1.0 / 3.0];
 
 impl PlateBending {
     /// Adds the load of a curvature that needs no moments to `force`: it does the work of the moments `M(κ*)` with curvatures.
@@ -89,9 +95,12 @@ impl PlateBending {
         let of_offsets: Vec<_> = part.offsets.iter().map(of_offset).collect();
         part.bonds.for_each_bond(|offset, ends, factors| {
             let (direction, length, crossed) = &of_offsets[offset];
-            let share = crossed.share((&bends, &of_part), nodes.node(ends[0]), [0.0, 1.0]);
-            let bent = ends.map(|point| share * along(unit, *direction) * free.values[point]);
-            let (direction, length, measures) = (*direction, *length, measures(bent, *length));
+            let moments = match free.cells {
+                Some(_) => crossed.moments((&bends, &of_part), nodes.node(ends[0]), [0.0, 1.0]),
+                None => ALL,
+            };
+            let bent = ends.map(|point| along(unit, *direction) * free.values[point]);
+            let (direction, length, measures) = (*direction, *length, measures(bent, moments, *length));
             visit(FreeBond { offset, ends, factors, direction, length, measures });
         });
     }
@@ -109,22 +118,26 @@ impl PlateBending {
         let (nodes, n) = (self.nodes(), self.nodes().points());
         let bends = |cell: [i32; 2]| free.is_in(nodes, cell);
         let steps: Vec<_> = part.offsets.iter().map(|offset| offset.step).collect();
+        let crossed: Vec<_> = steps.iter().map(|step| Crossed::new(*step)).collect();
         for piece in cover::pieces(nodes, of_part, &steps) {
             let offset = &part.offsets[piece.offset];
             let [x, y, _] = nodes.lattice().vector(offset.step);
             let length = x.hypot(y);
-            let crossed = Crossed::new(offset.step);
-            let share = crossed.share((&bends, of_part), piece.node, piece.range);
+            let moments = match free.cells {
+                Some(_) => crossed[piece.offset].moments((&bends, of_part), piece.node, piece.range),
+                None => ALL,
+            };
             let bent = piece.ends.map(|PieceEnd { points, fraction }| {
                 let [a, b] = points.map(|point| free.values[point]);
-                share * along(unit, [x / length, y / length]) * ((1.0 - fraction) * a + fraction * b)
+                along(unit, [x / length, y / length]) * ((1.0 - fraction) * a + fraction * b)
             });
             let bond = PieceBond::new(nodes, &part.parameters, offset, &piece);
-            bond.add_actions(measures(bent, piece.part() * length), n, force);
+            bond.add_actions(measures(bent, moments, piece.part() * length), n, force);
         }
     }
 
-    /// Moments `[M_xx, M_yy, M_xy]` of the points, N, that such a curvature is without: those of the sections about them are means.
+    /// Moments `[M_xx, M_yy, M_xy]` to subtract at a point, N: those of κ* in the sections of the cells about it, averaged over these
+    /// cells.
     pub(super) fn moments_of(&self, free: &FreeCurvature, point: usize) -> [f64; 3] {
         let nodes = self.nodes();
         let (mut sum, mut cells) = ([0.0; 3], 0.0);

@@ -2,7 +2,7 @@
 //!
 //! Moments come from differences of the rotations, one-sided ones of second order at edges. `S (∇w − φ)` would be the small
 //! difference of large numbers in a thin plate, and hundreds of times too large; shear forces come from the bonds, each of which
-//! knows `V·n = s γ_b/(2ω)`. At an edge half of the bonds are missing: there shear forces are continued from inside. On a line of
+//! knows `V·n = s γ_b/(2ω)`. What curvatures have that need no moments is taken off the curvature and off γ_b. At an edge half of the bonds are missing: there shear forces are continued from inside. On a line of
 //! symmetry the other half is the image of this one: rotations across it, and shear forces across it, have the other sign.
 //!
 //! Beside a step of the thickness differences are one-sided, as the curvature is not continuous there, and a point on the step has the
@@ -46,7 +46,11 @@ impl PlateBending {
                 }
             }
             for (factor, free) in free {
-                let without = self.moments_of(free, point);
+                let mut without = self.moments_of(free, point);
+                if on_mirror(point).contains(&true) {
+                    // Behind a mirror the twist has the other sign.
+                    without[2] = 0.0;
+                }
                 moment[point].iter_mut().zip(without).for_each(|(own, without)| *own -= factor * without);
             }
         }

@@ -52,6 +52,6 @@ pub(super) fn add(
     let own = made.materials.iter().map(|material| material.thermal_expansion.unwrap_or(alpha));
     let expansions = [alpha].into_iter().chain(own).zip(&made.thickness.of_sections);
     let units = expansions.map(|(alpha, t)| [-alpha / t, -alpha / t, 0.0]).collect();
-    let values = loads::values(&difference, site, &path.key("difference"), faults);
+    let values = loads::values(&difference, (site, &cells), &path.key("difference"), faults);
     to.bend(FreeCurvature { cells: cells.numbers(), units, values }, made.plate);
 }

@@ -22,12 +22,13 @@ pub(super) fn add(
     to: &mut PlateLoads,
     faults: &mut Faults,
 ) {
+    let before = faults.errors();
     for key in load.of_lines() {
         faults
             .error(path.key(key), format!("`{key}` is for lines and members"))
             .hint("a plate in bending has the curvatures `xx`, `yy` and `xy`, of a `region` or all of it");
     }
-    let before = faults.errors();
+    let Some(cells) = pressure::inside(load.region.as_ref(), site, path, faults) else { return };
     let mut is_zero = true;
     for (name, amount) in load.components() {
         let (Some(amount), path) = (amount, path.key(name)) else { continue };
@@ -42,10 +43,9 @@ pub(super) fn add(
             continue;
         }
         is_zero = false;
-        let Some(cells) = pressure::inside(load.region.as_ref(), site, &path, faults) else { return };
         let units = vec![unit; made.thickness.of_sections.len()];
-        let values = loads::values(&given, site, &path, faults);
-        to.bend(FreeCurvature { cells: cells.numbers(), units, values }, made.plate);
+        let values = loads::values(&given, (site, &cells), &path, faults);
+        to.bend(FreeCurvature { cells: cells.clone().numbers(), units, values }, made.plate);
     }
     if is_zero && factor.is_none() && faults.errors() == before {
         faults.error(path.clone(), "this load is zero").hint("give curvatures, such as `\"xx\": 1e-3`");

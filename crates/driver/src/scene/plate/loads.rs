@@ -2,6 +2,7 @@
 
 use super::materials::PlateMaterial;
 use super::plate_loads::PlateLoads;
+use super::pressure::Loaded;
 use super::site::Site;
 use super::thickness::Thickness;
 use super::{foreign, gravity, heat, initial_curvature, line_load, point_load, pressure};
@@ -75,15 +76,28 @@ pub(super) fn check_loaded(site: &Site, cases: &[PlateLoads], moves: bool, fault
     }
 }
 
-/// Values at the points; a fault where a formula has none.
-pub(super) fn values(given: &Prescribed, site: &Site, path: &JsonPath, faults: &mut Faults) -> Vec<f64> {
-    let place = |point: usize| {
+/// Values at the points; a fault where a formula has none at a corner of the cells that it is for. Elsewhere it may have none: zero.
+pub(super) fn values(
+    given: &Prescribed,
+    (site, cells): (&Site, &Loaded),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Vec<f64> {
+    let mut is_asked = vec![false; site.nodes.points()];
+    let asked = site.nodes.all_cells().filter(|&cell| cells.has(site, cell));
+    let corners = asked.filter_map(|cell| site.nodes.corners(cell)).flatten();
+    corners.for_each(|point| is_asked[point] = true);
+    let mut values = vec![0.0; site.nodes.points()];
+    for (point, value) in values.iter_mut().enumerate() {
         let [x, y] = site.nodes.place(point);
-        given.at([x, y, 0.0])
-    };
-    let found: Result<Vec<f64>, String> = (0..site.nodes.points()).map(place).collect();
-    found.unwrap_or_else(|reason| {
-        faults.error(path.clone(), reason);
-        vec![0.0; site.nodes.points()]
-    })
+        match given.at([x, y, 0.0]) {
+            Ok(found) => *value = found,
+            Err(reason) if is_asked[point] => {
+                faults.error(path.clone(), reason);
+                break;
+            }
+            Err(_) => {}
+        }
+    }
+    values
 }

@@ -13,6 +13,7 @@ const GAUSS: f64 = 0.288_675_134_594_812_9;
 const COARSE: f64 = 0.01;
 
 /// The cells that are loaded: those of a region, or all.
+#[derive(Clone)]
 pub(super) struct Loaded(Option<Vec<u32>>);
 
 impl Loaded {

@@ -19,7 +19,12 @@ pub(super) fn model(m: &PlateSummary, units: Units) -> Vec<Fact> {
         let e = units.quantity(&number(region.youngs_modulus), units.stress());
         let d = units.quantity(&number(region.bending_stiffness), units.moment());
         let (nu, t) = (number(region.poisson_ratio), length(region.thickness));
-        ("material".to_string(), format!("{}: E = {e}, ν = {nu}, thickness {t}, D = {d}", region.name))
+        let expansion = region.thermal_expansion.map(|alpha| format!(", expansion {}/K", number(alpha)));
+        let expansion = expansion.unwrap_or_default();
+        (
+            "material".to_string(),
+            format!("{}: E = {e}, ν = {nu}, thickness {t}, D = {d}{expansion}", region.name),
+        )
     };
     let edges = match m.pieces {
         0 => "points lie on the edges, and half of a bond along one counts".to_string(),

@@ -46,14 +46,14 @@ pub(crate) fn resolve(
     let is_fine = eigenstrain::is_borne("temperature", context, path, faults);
     let has_fibres = context.material.fibres().is_some();
     let expansion = expansion::of(ground.case, has_fibres, path, faults);
-    for (key, _) in
-        [("difference", load.difference.is_some()), ("member", load.member.is_some())].iter().filter(|k| k.1)
-    {
-        faults
-            .error(path.key(*key), format!("`{key}` is for what bends: beams, frames, plates in bending"))
-            .hint(
-                "a formula such as `\"change\": \"50*(1 - y/20)\"` says how a temperature varies in a body",
-            );
+    let foreign = [
+        ("difference", load.difference.is_some(), "beams, frames and plates in bending"),
+        ("member", load.member.is_some(), "frames"),
+    ];
+    for (key, _, what) in foreign.iter().filter(|key| key.1) {
+        faults.error(path.key(*key), format!("`{key}` is for {what}")).hint(
+            "a formula such as `\"change\": \"50*(1 - y/20)\"` says how a temperature varies in a body",
+        );
     }
     let Some(change) = &load.change else {
         faults
