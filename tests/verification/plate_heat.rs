@@ -41,13 +41,44 @@ fn a_square_on_hard_supports_is_the_membrane() {
 
 #[test]
 fn a_clamped_plate_stays_flat() {
-    for t in [0.2, 1e-4] {
-        let found = solved(&warm(8, t, clamped()));
-        // -E α D/(2 (1 - ν)) at the top, everywhere.
-        let exact = -youngs_modulus(t) / 1.4;
-        let off = found.field(0, "stress_xx").expect("a field");
-        let off = off.iter().fold(0.0, |most: f64, s| most.max((s / exact - 1.0).abs()));
-        assert!(off < 1e-12 && largest(&found, 0, "w") < 1e-13 / t);
+    let of = |t: f64, nu: f64, solver: &str| {
+        let mut case = warm(8, t, clamped());
+        case["solver"] = json!(solver);
+        case["model"]["plate_bending"]["poisson_ratio"] = json!(nu);
+        solved(&case)
+    };
+    let cases = [0.2, 0.02, 1e-4].into_iter().flat_map(|t| [-0.4, 0.0, 0.3, 0.45].map(|nu| (t, nu)));
+    for ((t, nu), solver) in cases.flat_map(|case| ["sparse", "multigrid"].map(|solver| (case, solver))) {
+        let found = of(t, nu, solver);
+        let e = youngs_modulus(t);
+        // -E α D/(2 (1 - ν)) at the top, everywhere, and the energy D (1 + ν) κ*².
+        let stress = -e / (2.0 * (1.0 - nu));
+        let values = found.field(0, "stress_xx").expect("a field");
+        let off = values.iter().fold(0.0, |most: f64, s| most.max((s / stress - 1.0).abs()));
+        let certificate = &found.summary.states[0].certificate;
+        let energy = certificate.energy * 12.0 * (1.0 - nu) / (e * t) - 1.0;
+        assert!(off < 1e-13 && energy.abs() < 1e-12, "{t}, {nu}: {off:.1e}, {energy:.1e}");
+        assert_eq!(largest(&found, 0, "w"), 0.0);
+        assert!(certificate.converged && certificate.strain_digits >= 12, "{t}, {nu}: {certificate:?}");
+    }
+}
+
+#[test]
+fn heat_that_cancels_is_none() {
+    let three = json!([ { "at": { "x": 0, "y": 0 }, "w": 0 }, { "at": { "x": 1, "y": 0 }, "w": 0 },
+        { "at": { "x": 0, "y": 1 }, "w": 0 } ]);
+    for (supports, other) in
+        [hard(), three].into_iter().flat_map(|s| [1.0, 1.0 - 1e-6].map(|c| (s.clone(), c)))
+    {
+        let mut case = warm(10, 0.02, supports);
+        case["loads"] = json!([ { "temperature": { "difference": DIFFERENCE } },
+            { "initial_strain": { "xx": 50.0 * other, "yy": 50.0 * other } } ]);
+        let found = solved(&case);
+        let certificate = &found.summary.states[0].certificate;
+        assert!(certificate.converged && certificate.strain_digits >= 10, "{other}: {certificate:?}");
+        // Of (1 - ν) κ* = 35; of the small rest a part in hard supports.
+        let moment = largest(&found, 0, "M_xx");
+        assert!(moment < 1e-11 + 70.0 * (1.0 - other), "{other}: {moment:.1e}");
     }
 }
 
@@ -271,6 +302,16 @@ fn cycles_agree_with_a_factor() {
 }
 
 #[test]
+fn a_formula_that_points_miss_is_doubted() {
+    let doubts = |formula: &str| {
+        let mut case = warm(10, 0.1, hard());
+        case["loads"] = json!([ { "temperature": { "difference": formula } } ]);
+        solved(&case).summary.warnings.iter().filter(|w| w.contains("is taken at the points")).count()
+    };
+    assert_eq!([doubts("cos(2*pi*x/0.1)"), doubts("1e3*(1 + x*x)"), doubts("7")], [1, 0, 0]);
+}
+
+#[test]
 fn what_does_not_bend_a_plate_is_refused() {
     let with = |load: Value| {
         let mut case = warm(8, 0.1, hard());
@@ -287,6 +328,9 @@ fn what_does_not_bend_a_plate_is_refused() {
         (json!({ "temperature": { "difference": "1/(x - x)" } }), "the formula is inf at the point (0, 0)"),
         (json!({ "temperature": { "difference": "sqrt(x - 0.6)", "region": "most" } }), "formula"),
         (json!({ "temperature": { "difference": 5, "member": "a" } }), "`member` is for frames"),
+        (json!({ "temperature": { "difference": 5, "region": "all" } }), "`all` is a part of the border"),
+        (json!({ "initial_strain": { "xx": 5, "region": "left" } }), "`left` is a part of the border"),
+        (json!({ "pressure": { "value": 5, "region": "left" } }), "`left` is a part of the border"),
         (json!({ "temperature": { "difference": 5, "region": "nowhere" } }), "there is no region `nowhere`"),
         (json!({ "initial_strain": { "zz": 1 } }), "no curvature `zz`"),
         (json!({ "initial_strain": { "curvature": 1 } }), "for lines and members"),

@@ -185,3 +185,50 @@ fn places_without_one_reaction_per_length_are_refused() {
     );
     refuses(on("p", json!({ "x": 0, "y": 0.5 }), "corner_force"), "no line that a support holds ends at");
 }
+
+/// Force at corners and force and moment of the left edge.
+fn at_corners() -> Value {
+    json!([ on("corners", json!({ "region": "all" }), "corner_force"),
+        { "name": "left", "at": { "region": "left" }, "field": "reaction_per_length", "of": "integral" },
+        on("middle of left", json!({ "x": 0, "y": 0.5 }), "reaction_per_length") ])
+}
+
+#[test]
+fn a_clamp_across_the_end_of_a_line_bends_the_plate_and_does_not_twist_it() {
+    let guided = [
+        json!({ "at": { "region": "top" }, "phi_n": 0 }),
+        json!({ "at": { "region": "bottom" }, "phi_n": 0 }),
+    ];
+    let strip = |left: Value, right: Option<Value>| {
+        let mut case = square(10, 0.02, json!(guided));
+        let supports = case["supports"].as_array_mut().expect("supports");
+        supports.push(left);
+        supports.extend(right);
+        case["thermal_expansion"] = json!(1e-5);
+        case["probes"] = at_corners();
+        case
+    };
+    let found = |case: &Value| {
+        let found = solved(case);
+        ["corners", "left", "middle of left"].map(|name| probe(&found, name))
+    };
+    // A cantilever in cylindrical bending: its pressure, and no force in the corners.
+    let clamp = json!({ "at": { "region": "left" }, "w": 0, "phi_n": 0, "phi_t": 0 });
+    let [corners, left, middle] = found(&strip(clamp, None));
+    assert!(
+        corners.abs() < 1e-11 && (left + 1.0).abs() < 1e-11 && (middle + 1.0).abs() < 1e-11,
+        "{corners:.1e}, {left}, {middle}"
+    );
+    // Warm on two supports: the guides bend it, and nothing presses.
+    let simple = |edge: &str| json!({ "at": { "region": edge }, "w": 0, "phi_t": 0 });
+    let mut warm = strip(simple("left"), Some(simple("right")));
+    warm["loads"] = json!([ { "temperature": { "difference": 1e5 } } ]);
+    // Of moments of 50 along the guides.
+    assert!(found(&warm).iter().all(|force| force.abs() < 1e-9), "{:?}", found(&warm));
+    // A clamped plate that is warm has moments alone.
+    let mut case = square(10, 0.02, clamped());
+    case["thermal_expansion"] = json!(1e-5);
+    case["loads"] = json!([ { "temperature": { "difference": 1e5 } } ]);
+    case["probes"] = at_corners();
+    assert_eq!(found(&case), [0.0; 3]);
+}

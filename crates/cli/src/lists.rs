@@ -64,11 +64,11 @@ const LOADS: [(&str, &str); 24] = [
     ),
     (
         "temperature",
-        "a change of temperature of a body or a region, a number or a formula of the position, with the `thermal_expansion` of the material",
+        "a change of temperature of a body or a region, a number or a formula of the position, or a difference of it over the height of a beam or a plate in bending, with the `thermal_expansion` of the material",
     ),
     (
         "initial_strain",
-        "a strain and a curvature that a line or member would have if nothing held it: prestress, a member that is too short or too long",
+        "a strain or a curvature that a line, a member, a body or a plate in bending would have if nothing held it: prestress, misfit, shrinkage",
     ),
     ("symmetry", "edges or faces that are mirrors"),
     (

@@ -140,7 +140,11 @@ impl Loaded {
 
     /// Whether the body has a corner that turns into it.
     fn turns_inward(&self) -> bool {
-        matches!(&self.scene, Scene::Body(body) if body.outline().is_some_and(Outline::turns_inward))
+        match &self.scene {
+            Scene::Body(body) => body.outline().is_some_and(Outline::turns_inward),
+            Scene::Plate(plate) => plate.turns_inward,
+            Scene::Beam(_) => false,
+        }
     }
 
     fn is_on_lines(&self) -> bool {

@@ -67,12 +67,12 @@ impl PieceBond {
         Self { members, modulus: [[bending, 0.0], [0.0, shear]] }
     }
 
-    /// Adds what is conjugate to its measures at some values of these to the forces on `n` points.
-    pub(super) fn add_actions(&self, measures: [f64; 2], n: usize, force: &mut [f64]) {
+    /// Hands what is conjugate to its measures at some values of these to `add`, as forces on the unknowns of `n` points.
+    pub(super) fn add_actions(&self, measures: [f64; 2], n: usize, add: &mut dyn FnMut(usize, f64)) {
         for (point, rows) in &self.members {
             for c in [W, PHI_X, PHI_Y] {
                 let of = |m: usize| self.modulus[m][m] * measures[m] * rows[m][c];
-                force[c * n + point] += of(0) + of(1);
+                add(c * n + point, of(0) + of(1));
             }
         }
     }

@@ -170,13 +170,13 @@ impl Triangles {
         Self { rows: Vec::new(), cells: 0, torn, ..self.clone() }
     }
 
-    /// Adds the load of a curvature that cells are free at.
+    /// Hands the load of a curvature that cells are free at to `add`.
     pub(super) fn add_free(
         &self,
         nodes: &PlateNodes,
         free: &FreeCurvature,
         unit: [f64; 3],
-        force: &mut [f64],
+        add: &mut dyn FnMut(usize, f64),
     ) {
         let ([xx, yy, xy], h, n) = (unit, nodes.spacing(), self.points);
         // Rotations of the corners relative to the first where the curvature is the unit.
@@ -190,8 +190,8 @@ impl Triangles {
             let sum: f64 = others.iter().map(|&point| free.values[point]).sum();
             let value = 0.25 * (free.values[own] + sum);
             for (c, plane) in [PHI_X, PHI_Y].into_iter().enumerate() {
-                force[plane * n + own] -= value * (unit[c] + unit[2 + c] + unit[4 + c]);
-                others.iter().enumerate().for_each(|(k, &p)| force[plane * n + p] += value * unit[2 * k + c]);
+                add(plane * n + own, -value * (unit[c] + unit[2 + c] + unit[4 + c]));
+                others.iter().enumerate().for_each(|(k, &p)| add(plane * n + p, value * unit[2 * k + c]));
             }
         }
     }

@@ -48,8 +48,9 @@ fn measures([i, j]: [f64; 2], [whole, first, second]: [f64; 3], length: f64) -> 
 const ALL: [f64; 3] = [1.0, 0.5, 1.0 / 3.0];
 
 impl PlateBending {
-    /// Adds the load of a curvature that needs no moments to `force`: it does the work of the moments `M(κ*)` with curvatures.
-    pub fn add_free_curvature(&self, free: &FreeCurvature, force: &mut [f64]) {
+    /// Hands the load of a curvature that needs no moments to `add`, force by force on the number of an unknown: it does the work of the
+    /// moments `M(κ*)` with curvatures.
+    pub fn add_free_curvature(&self, free: &FreeCurvature, add: &mut dyn FnMut(usize, f64)) {
         let (nodes, n) = (self.nodes(), self.nodes().points());
         for (number, part) in self.parts().iter().enumerate() {
             let of_part = |cell: [i32; 2]| self.sections().has(nodes, number, cell);
@@ -63,16 +64,16 @@ impl PlateBending {
                 let [moment, shear] =
                     [0, 1].map(|m| bond.factors[m] * moduli[bond.offset][m] * bond.measures[m]);
                 let [i, j] = bond.ends;
-                force[W * n + j] += shear / bond.length;
-                force[W * n + i] -= shear / bond.length;
+                add(W * n + j, shear / bond.length);
+                add(W * n + i, -shear / bond.length);
                 for (c, n_c) in [PHI_X, PHI_Y].into_iter().zip(bond.direction) {
-                    force[c * n + j] += n_c * (moment / bond.length - 0.5 * shear);
-                    force[c * n + i] -= n_c * (moment / bond.length + 0.5 * shear);
+                    add(c * n + j, n_c * (moment / bond.length - 0.5 * shear));
+                    add(c * n + i, -n_c * (moment / bond.length + 0.5 * shear));
                 }
             });
-            self.add_pieces((part, &of_part), (free, free.units[number]), force);
+            self.add_pieces((part, &of_part), (free, free.units[number]), add);
             if let Some(triangles) = part.triangles() {
-                triangles.add_free(nodes, free, free.units[number], force);
+                triangles.add_free(nodes, free, free.units[number], add);
             }
         }
     }
@@ -110,7 +111,7 @@ impl PlateBending {
         &self,
         (part, of_part): (&Part, Inside),
         (free, unit): (&FreeCurvature, [f64; 3]),
-        force: &mut [f64],
+        add: &mut dyn FnMut(usize, f64),
     ) {
         if part.pieces() == 0 {
             return;
@@ -132,7 +133,7 @@ impl PlateBending {
                 along(unit, [x / length, y / length]) * ((1.0 - fraction) * a + fraction * b)
             });
             let bond = PieceBond::new(nodes, &part.parameters, offset, &piece);
-            bond.add_actions(measures(bent, moments, piece.part() * length), n, force);
+            bond.add_actions(measures(bent, moments, piece.part() * length), n, add);
         }
     }
 

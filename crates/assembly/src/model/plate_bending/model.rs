@@ -72,6 +72,11 @@ impl PlateBending {
         &self.parts[0].parameters
     }
 
+    /// The section of a number, the base first.
+    pub fn section(&self, number: usize) -> &PlateSection {
+        &self.parts[number].parameters.section
+    }
+
     /// Its points and cells.
     pub fn nodes(&self) -> &PlateNodes {
         &self.nodes

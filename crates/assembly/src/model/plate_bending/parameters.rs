@@ -31,6 +31,13 @@ impl PlateSection {
         [d * (xx + nu * yy), d * (yy + nu * xx), d * (1.0 - nu) * xy]
     }
 
+    /// Energy of moments and shear forces per area, J/m².
+    pub fn energy(&self, [xx, yy, xy]: [f64; 3], shear: [f64; 2]) -> f64 {
+        let (d, nu) = (self.bending, self.poisson_ratio);
+        let bending = xx * xx + yy * yy - 2.0 * nu * xx * yy + 2.0 * (1.0 + nu) * xy * xy;
+        0.5 * (bending / (d * (1.0 - nu * nu)) + (shear[0].powi(2) + shear[1].powi(2)) / self.shear)
+    }
+
     /// What trace and deviator of the curvature have in common: the eigenvalue β of the bonds for the deviator, half of that for
     /// the trace, N m.
     pub(super) fn common(&self) -> f64 {

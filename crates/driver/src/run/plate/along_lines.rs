@@ -3,7 +3,8 @@
 //! A support that holds the slope along its line twists the plate by t per length. Kirchhoff and Thomson's effective reaction does
 //! the same work with the deflection alone, `V = r − dt/ds`, and leaves a force `± t` at every end: that of a corner. Of points,
 //! the moment T of one is that of two forces `± T/(2h)` on those beside it, or `± T/h` at an end of the line, so that the forces
-//! along all lines and at their ends have the resultant of the reactions. At a corner the force of both lines is known, and how
+//! along all lines and at their ends have the resultant of the reactions. Where a line ends at a clamp across it the plate does not
+//! twist there, and the moment of its last point is one that the clamp bends the plate with. At a corner the force of both lines is known, and how
 //! much of it is along them is continued from inside.
 
 use crate::scene::PlateScene;
@@ -88,7 +89,9 @@ fn effective(line: &HeldLine, h: f64, of: &dyn Fn(usize, u32) -> f64) -> (Vec<f6
     let is_mirror = |k: usize| end(k).is_some_and(|end| line.is_mirrored[end]);
     let own = |(k, &point): (usize, &u32)| if end(k).is_none() || is_mirror(k) { of(W, point) } else { 0.0 };
     let mut forces: Vec<f64> = line.points.iter().enumerate().map(own).collect();
-    for (k, &point) in line.points.iter().enumerate().filter(|(k, _)| !is_mirror(*k)) {
+    let meets_clamp = |k: usize| end(k).is_some_and(|end| line.meets_clamp[end]);
+    let twisted = |k: &usize| !is_mirror(*k) && !meets_clamp(*k);
+    for (k, &point) in line.points.iter().enumerate().filter(|(k, _)| twisted(k)) {
         let share = end(k).map_or(1.0, |end| 1.0 / line.sharing[end] as f64);
         let [before, behind] = [k.saturating_sub(1), (k + 1).min(last)];
         let force = share * of(line.along, point) / ((behind - before) as f64 * h);

@@ -48,13 +48,21 @@ pub(super) fn collect(scene: &PlateScene, solved: SolvedState, recover: bool) ->
     let n = scene.plate.nodes().points();
     let springs = scene.springs.iter().flat_map(|spring| spring.forces(n, &u)).map(|(k, f)| (k, -f));
     let held = scene.resultant(solution.held.iter().copied().chain(springs));
-    let applied = scene.resultant(load.iter().copied().enumerate());
+    let mut applied = scene.resultant(load.iter().copied().enumerate());
+    // What curves a plate without moments is no load: the plate bends itself.
+    let heat = scene.heat(state);
+    applied.add_multiple(-1.0, &scene.resultant(heat.forces().enumerate()));
+    let is_heated = heat.forces().next().is_some();
+    let fields = (recover || is_heated).then(|| recovered(scene, state, &u));
+    if let Some(fields) = fields.as_ref().filter(|_| is_heated) {
+        certificate.energy = scene.energy(fields);
+    }
     let resultants = Resultants::new(&scene.asked(state), &applied, &held, (scene.statical(), [false; 3]));
     certificate.account(resultants, scene.slack(state));
     PlateResult {
         reactions: reaction::of_supports(scene, &solution.multipliers, &u),
         along_lines: along_lines(scene, &solution.multipliers, &u),
-        recovered: recover.then(|| recovered(scene, state, &u)),
+        recovered: fields.filter(|_| recover),
         multipliers: solution.multipliers,
         points: n,
         thickness: scene.thickness.clone(),

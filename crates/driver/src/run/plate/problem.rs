@@ -39,6 +39,7 @@ impl Problem<3> for PlateScene {
             let loads = &self.load_cases[case].force;
             force.iter_mut().zip(loads).for_each(|(sum, load)| *sum += factor * load);
         }
+        force.iter_mut().zip(self.heat(state).forces()).for_each(|(sum, load)| *sum += load);
         state.motion_factor
     }
 

@@ -1,9 +1,11 @@
 //! What acts on a plate as a whole.
 
+use super::Heat;
 use super::scene::PlateScene;
 use super::statics;
 use crate::scene::body::BodyState;
 use crate::scene::{ASKED, Counted, Resultant};
+use peristat_assembly::model::plate_bending::PlateFields;
 
 impl PlateScene {
     /// Resultant of the loads of a state, as the case asks for them.
@@ -11,6 +13,27 @@ impl PlateScene {
         let mut sum = Resultant::default();
         state.terms.iter().for_each(|&(case, factor)| sum.add_multiple(factor, &self.load_cases[case].asked));
         sum
+    }
+
+    /// What curvatures that need no moments do to the unknowns in a state.
+    pub(crate) fn heat(&self, state: &BodyState) -> Heat {
+        let mut sum = Heat::default();
+        state.terms.iter().for_each(|&(case, factor)| sum.add(factor, &self.load_cases[case].heat));
+        sum
+    }
+
+    /// The energy of moments and shear forces at the points.
+    pub(crate) fn energy(&self, fields: &PlateFields) -> f64 {
+        let of_point = |point: usize| {
+            let parts = self.plate.sections().about(self.plate.nodes(), point);
+            let density = |number: usize| {
+                let section = self.plate.section(number);
+                section.energy(fields.moment[point], fields.shear[point])
+            };
+            parts.iter().map(|&(number, part)| part * density(number)).sum::<f64>()
+        };
+        let area = self.plate.nodes().spacing().powi(2);
+        (0..self.plate.nodes().points()).map(|point| area * of_point(point)).sum()
     }
 
     /// Volume of the quarters of cells about a point.

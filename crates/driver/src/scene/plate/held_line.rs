@@ -2,6 +2,7 @@
 
 use super::restraints::Restraints;
 use super::site::{Site, points_of};
+use peristat_assembly::condition::Equation;
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,6 +24,9 @@ pub struct HeldLine {
     pub supports: Vec<usize>,
     /// How many lines along the same axis end at the first and at the last point.
     pub sharing: [usize; 2],
+    /// Whether a line across it that does not turn ends at the first and at the last point: what holds the slope along this line there
+    /// bends the plate across the other one, and does not twist it.
+    pub meets_clamp: [bool; 2],
 }
 
 impl HeldLine {
@@ -85,7 +89,11 @@ pub(super) fn lines(site: &Site, held: &Restraints) -> Vec<HeldLine> {
     }
     let is_mirror = |name: &String| site.sides(name).map(|sides| points_of(&sides));
     let mirrors: BTreeSet<u32> = site.case.symmetry.iter().filter_map(is_mirror).flatten().collect();
-    with_ends(chained(steps), &mirrors)
+    let is_one = |equation: &&Equation| equation.terms.len() == 1;
+    let unknowns = held.equations.iter().filter(is_one).flat_map(|equation| &equation.terms);
+    let unknowns: BTreeSet<(usize, u32)> =
+        unknowns.map(|(unknown, _)| (unknown.component, unknown.point as u32)).collect();
+    with_ends(chained(steps), &mirrors, &unknowns)
 }
 
 /// Steps between the points of a support inside of the plate, if they are in one row or one column.
@@ -115,8 +123,17 @@ fn chained(mut steps: Steps) -> Vec<HeldLine> {
         });
         let line = goes_on.unwrap_or_else(|| {
             let points = vec![from];
-            let (is_mirrored, sharing) = ([false; 2], [1; 2]);
-            lines.push(HeldLine { name, points, along, outward, is_mirrored, supports, sharing });
+            let (is_mirrored, sharing, meets_clamp) = ([false; 2], [1; 2], [false; 2]);
+            lines.push(HeldLine {
+                name,
+                points,
+                along,
+                outward,
+                is_mirrored,
+                supports,
+                sharing,
+                meets_clamp,
+            });
             lines.len() - 1
         });
         lines[line].points.push(to);
@@ -126,12 +143,26 @@ fn chained(mut steps: Steps) -> Vec<HeldLine> {
 }
 
 /// The lines with what is known of their ends.
-fn with_ends(mut lines: Vec<HeldLine>, mirrors: &BTreeSet<u32>) -> Vec<HeldLine> {
+fn with_ends(
+    mut lines: Vec<HeldLine>,
+    mirrors: &BTreeSet<u32>,
+    held: &BTreeSet<(usize, u32)>,
+) -> Vec<HeldLine> {
+    // Lines that do not turn about themselves, by the component along them and their ends; corners that others hold, too, do not tell.
+    let stiff: BTreeSet<(usize, u32)> = (lines.iter())
+        .flat_map(|line| {
+            let beside = [line.points[1], line.points[line.points.len() - 2]];
+            line.ends().into_iter().zip(beside).map(move |(end, beside)| (line, end, beside))
+        })
+        .filter(|(line, _, beside)| held.contains(&(line.across(), *beside)))
+        .map(|(line, end, _)| (line.along, end))
+        .collect();
     let all: Vec<(usize, u32)> =
         lines.iter().flat_map(|line| line.ends().map(|point| (line.along, point))).collect();
     for line in &mut lines {
         let count = |point: u32| all.iter().filter(|end| end.1 == point).count();
         line.is_mirrored = line.ends().map(|point| mirrors.contains(&point) && count(point) == 1);
+        line.meets_clamp = line.ends().map(|point| stiff.contains(&(line.across(), point)));
         line.sharing = line.ends().map(|point| all.iter().filter(|end| **end == (line.along, point)).count());
     }
     lines

@@ -1,13 +1,13 @@
 //! Loads of a plate on its points.
 
 use super::materials::PlateMaterial;
-use super::plate_loads::PlateLoads;
+use super::plate_loads::{Heat, PlateLoads};
 use super::pressure::Loaded;
 use super::site::Site;
 use super::thickness::Thickness;
 use super::{foreign, gravity, heat, initial_curvature, line_load, point_load, pressure};
 use crate::case::Load;
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::scene::Resultant;
 use crate::scene::prescribed::Prescribed;
 use crate::scene::states::{self, Group};
@@ -28,6 +28,7 @@ pub(super) fn load_cases(site: &Site, made: &Made, faults: &mut Faults) -> Vec<P
             asked: Resultant::default(),
             is_approximate: false,
             free: Vec::new(),
+            heat: Heat::default(),
         };
         let at = (site, group.factor);
         for &(k, load) in &group.loads {
@@ -57,7 +58,7 @@ pub(super) fn load_cases(site: &Site, made: &Made, faults: &mut Faults) -> Vec<P
                 other => foreign::refuse(other, &path, faults),
             }
         }
-        if !to.force.iter().all(|f| f.is_finite()) {
+        if !to.force.iter().copied().chain(to.heat.forces()).all(f64::is_finite) {
             faults.error(group.path.clone(), "a formula of these loads has no value where it acts");
         }
         to
@@ -67,7 +68,7 @@ pub(super) fn load_cases(site: &Site, made: &Made, faults: &mut Faults) -> Vec<P
 
 /// A doubt where nothing acts.
 pub(super) fn check_loaded(site: &Site, cases: &[PlateLoads], moves: bool, faults: &mut Faults) {
-    let acts = |loads: &PlateLoads| loads.force.iter().any(|f| *f != 0.0);
+    let acts = |loads: &PlateLoads| !loads.free.is_empty() || loads.force.iter().any(|f| *f != 0.0);
     if !cases.iter().any(acts) && !moves && !faults.has_errors() {
         let key = if site.case.load_cases.is_empty() { "loads" } else { "load_cases" };
         faults
@@ -99,5 +100,34 @@ pub(super) fn values(
             Err(_) => {}
         }
     }
+    if let (Prescribed::Formula(_), false) = (given, faults.has_errors()) {
+        doubt_coarse(given, &values, (site, cells), path, faults);
+    }
     values
+}
+
+/// A doubt about values at the points that miss what a formula has between them.
+fn doubt_coarse(
+    given: &Prescribed,
+    values: &[f64],
+    (site, cells): (&Site, &Loaded),
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
+    let (mut off, mut size) = (0.0, 0.0);
+    for cell in site.nodes.all_cells().filter(|&cell| cells.has(site, cell)) {
+        let inside: f64 = pressure::places(site, cell).map(|at| given.at(at).unwrap_or(0.0)).sum();
+        let corners = site.nodes.corners(cell).into_iter().flatten();
+        off += (inside - corners.map(|point| values[point]).sum::<f64>()).abs();
+        size += pressure::places(site, cell).map(|at| given.at(at).unwrap_or(0.0).abs()).sum::<f64>();
+    }
+    if off > pressure::COARSE * size {
+        let message = format!(
+            "the formula is taken at the points, and differs between them by {} of its values",
+            tidy(off / size)
+        );
+        faults
+            .warning(path.clone(), message)
+            .hint("use a smaller spacing, or regions that end between cells");
+    }
 }

@@ -32,7 +32,7 @@ mod warnings;
 pub use held_line::HeldLine;
 pub use line_probe::OnLine;
 pub use materials::PlateMaterial;
-pub use plate_loads::PlateLoads;
+pub use plate_loads::{Heat, PlateLoads};
 pub use probes::{PlateProbe, PlateQuantity};
 pub use restraints::PlateSupport;
 pub use scene::PlateScene;

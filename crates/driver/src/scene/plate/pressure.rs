@@ -10,7 +10,7 @@ use peristat_assembly::model::plate_bending::PlateBending;
 /// Places of Gauss' rule of two points from the middle of an interval, per its length.
 const GAUSS: f64 = 0.288_675_134_594_812_9;
 /// Part of a pressure by formula that its values at the points may miss without a word: of a sine with 13 cells per half wave.
-const COARSE: f64 = 0.01;
+pub(super) const COARSE: f64 = 0.01;
 
 /// The cells that are loaded: those of a region, or all.
 #[derive(Clone)]
@@ -39,6 +39,15 @@ pub(super) fn inside(
     faults: &mut Faults,
 ) -> Option<Loaded> {
     let Some(name) = region else { return Some(Loaded(None)) };
+    if !site.case.regions.contains_key(name) && site.outline.members(name).is_some() {
+        faults
+            .error(
+                path.key("region"),
+                format!("`{name}` is a part of the border, and the load acts on cells"),
+            )
+            .hint("name one of the `regions`; without `region` the load acts on all of the plate");
+        return None;
+    }
     let found = site.cells.region(name, &path.key("region"), faults);
     // One without points has its fault already; here it may have points, and no middles.
     if found.is_none() && site.case.regions.contains_key(name) {
@@ -46,6 +55,14 @@ pub(super) fn inside(
         faults.error(path.key("region"), message).hint("use a larger region, or a smaller spacing");
     }
     Some(Loaded(Some(found?)))
+}
+
+/// Places of Gauss' rule in a cell.
+pub(super) fn places(site: &Site, [column, row]: [i32; 2]) -> impl Iterator<Item = [f64; 3]> {
+    let [x, y] = site.nodes.cells().place_of([column, row, 0]);
+    let reach = GAUSS * site.nodes.spacing();
+    let signs = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+    signs.into_iter().map(move |(a, b)| [x + a * reach, y + b * reach, 0.0])
 }
 
 /// Adds a pressure.
@@ -75,14 +92,12 @@ pub(super) fn add(
         faults.error(path.clone(), "this load is zero").hint("give `value`, or a `formula`");
     }
     let Some(loaded) = inside(load.region.as_ref(), site, path, faults) else { return };
-    let (cells, inside) = (site.nodes.cells(), |cell: [i32; 2]| loaded.has(site, cell));
+    let inside = |cell: [i32; 2]| loaded.has(site, cell);
     let at = |[x, y]: [f64; 2]| pressure.at([x, y, 0.0]).unwrap_or(f64::NAN);
     plate.add_pressure(inside, at, &mut to.force);
     let (h, [mut taken, mut asked, mut size]) = (site.nodes.spacing(), [0.0; 3]);
     for cell in site.nodes.all_cells().filter(|&cell| inside(cell)) {
-        let middle = cells.place_of([cell[0], cell[1], 0]);
-        for (a, b) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
-            let [x, y] = [middle[0] + GAUSS * a * h, middle[1] + GAUSS * b * h];
+        for [x, y, _] in places(site, cell) {
             let part = 0.25 * h * h * at([x, y]);
             to.asked.add([0.0, 0.0, part], [x, y, 0.0]);
             (asked, size) = (asked + part, size + part.abs());

@@ -48,6 +48,8 @@ pub struct PlateScene {
     pub materials: Vec<PlateMaterial>,
     /// How thick it is.
     pub thickness: Arc<Thickness>,
+    /// Whether it has a corner that turns into it.
+    pub turns_inward: bool,
     /// Its points as a body.
     pub body: PointBody,
     /// What holds it, lines of symmetry last.
@@ -160,6 +162,7 @@ impl PlateScene {
             units: case.units,
             materials,
             thickness: Arc::new(thickness),
+            turns_inward: outline.turns_inward(),
             supports: held.supports,
             held_lines,
             equations: held.equations,

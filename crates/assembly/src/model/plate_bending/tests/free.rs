@@ -28,7 +28,7 @@ fn free(
 
 fn load(plate: &PlateBending, free: &FreeCurvature) -> Vec<f64> {
     let mut load = vec![0.0; 3 * plate.nodes().points()];
-    plate.add_free_curvature(free, &mut load);
+    plate.add_free_curvature(free, &mut |unknown, force| load[unknown] += force);
     load
 }
 

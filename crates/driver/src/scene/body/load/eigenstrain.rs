@@ -196,6 +196,28 @@ pub(super) fn give_images(values: &mut [f64], component: &str, model: &dyn BodyM
     }
 }
 
+/// The points of a region that is no part of the border, or of all of the body.
+pub(super) fn points(
+    region: Option<&String>,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<u32>> {
+    let ground = context.ground;
+    let Some(name) = region else { return Some((0..ground.body.points() as u32).collect()) };
+    let is_border = ground.outline.is_some_and(|outline| outline.members(name).is_some());
+    if is_border && !ground.case.regions.contains_key(name) {
+        faults
+            .error(
+                path.key("region"),
+                format!("`{name}` is a part of the border: its points are a row beside it"),
+            )
+            .hint("name one of the `regions`; without `region` all of the body has it");
+        return None;
+    }
+    ground.region(name, &path.key("region"), faults)
+}
+
 /// Whether the body can bear strains that need no stress, of the load `name`; faults where it cannot.
 pub(super) fn is_borne(name: &str, context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> bool {
     let case = context.ground.case;

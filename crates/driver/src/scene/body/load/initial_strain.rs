@@ -28,7 +28,6 @@ pub(super) fn resolve(
             "a body has the components `xx`, `yy` and `xy`, and a solid those with z, of a `region` or all of it",
         );
     }
-    let ground = context.ground;
     let given = load.components().into_iter().filter_map(|(name, amount)| Some((name, amount.as_ref()?)));
     let mut components = Vec::new();
     for (name, amount) in given {
@@ -46,10 +45,7 @@ pub(super) fn resolve(
             .error(path.clone(), "this load is zero")
             .hint("give components, numbers or formulas, such as `\"xx\": 1e-3`");
     }
-    let points = match &load.region {
-        Some(name) => ground.region(name, &path.key("region"), faults),
-        None => Some((0..ground.body.points() as u32).collect()),
-    };
+    let points = eigenstrain::points(load.region.as_ref(), context, path, faults);
     let (Some(points), Some(model), true) = (points, context.model, is_fine) else { return };
     let mut own = Eigenstrain { change: vec![0.0; model.points()], parts: Vec::new() };
     for (name, value) in components.iter().filter(|(_, value)| !value.is_zero()) {

@@ -62,10 +62,7 @@ pub(crate) fn resolve(
         return;
     };
     let change = context.prescribed(change, &path.key("change"), faults);
-    let points = match &load.region {
-        Some(name) => ground.region(name, &path.key("region"), faults),
-        None => Some((0..ground.body.points() as u32).collect()),
-    };
+    let points = eigenstrain::points(load.region.as_ref(), context, path, faults);
     let (Some(expansion), Some(change), Some(points), true) = (expansion, change, points, is_fine) else {
         return;
     };
