@@ -246,7 +246,8 @@ fn a_hot_region_is_pressed_by_what_is_around_it() {
 fn heat_adds_up_with_loads_by_states() {
     let (_, model) = models().swap_remove(0);
     let mut case = free("bond_plane", &model);
-    let heat = json!({ "temperature": { "change": "10*y", "region": "top" } });
+    case["regions"]["upper half"] = json!({ "half_plane": { "point": [0, 1], "normal": [0, 1] } });
+    let heat = json!({ "temperature": { "change": "10*y", "region": "upper half" } });
     let weight = json!({ "body_force": { "density": [0, -1] } });
     let of = |case: &Value| {
         let solved = solve(case);

@@ -261,7 +261,6 @@ fn a_twist_has_the_other_sign_behind_a_mirror() {
     let [quarter, whole] = [&quarter, &whole].map(solved);
     for name in ["middle", "M_yy", "M_xy", "on the line"] {
         let error = (probe(&quarter, name) - probe(&whole, name)).abs();
-        println!("TW {name} {:e} {:e} {error:e}", probe(&quarter, name), probe(&whole, name));
         assert!(error < 1e-13, "{name}: {error:.1e}");
     }
 }
