@@ -220,6 +220,29 @@ fn an_interrupted_run_of_beams_goes_on_later() {
     assert_eq!(summary["states"][0]["reactions"].as_array().map(Vec::len), Some(CANTILEVERS as usize));
 }
 
+/// A plate in bending that breaks under a pressure.
+fn plate() -> Value {
+    json!({
+        "title": "Pane that breaks", "units": "mm-N-MPa",
+        "model": { "plate_bending": { "youngs_modulus": 70000, "poisson_ratio": 0.22, "thickness": 6 } },
+        "body": { "rectangle": { "size": [400, 240], "spacing": 20 } },
+        "supports": [ { "at": { "region": "all" }, "w": 0, "phi_t": 0 } ],
+        "loads": [ { "pressure": { "value": -0.2 } } ],
+        "probes": [ { "name": "walls", "at": { "region": "all" }, "field": "reaction_force" } ],
+        "fracture": { "critical": { "curvature": 2e-4 }, "strategy": "worst", "load": "walls", "record_every": 5 }
+    })
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_of_a_plate_in_bending_goes_on_later() {
+    let folder = tempfile::tempdir().unwrap();
+    interrupted(folder.path(), &plate(), 12);
+    let resumed = solve(folder.path(), &plate(), &["-o", "out", "--resume"]);
+    assert_eq!(resumed.code, 0, "{}\n{}", resumed.stdout, resumed.stderr);
+    assert_same(&folder.path().join("out"), &folder.path().join("whole"));
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_says_so_and_goes_on_later() {

@@ -80,6 +80,7 @@ mod plane_patch;
 mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
+mod plate_fracture;
 mod plate_heat;
 mod plate_reactions;
 mod plate_regions;

@@ -36,8 +36,8 @@ impl FieldName {
     ];
 
     /// The fields that every point of a plate in bending has, in the order of tables. Stresses are those on the side of +w; on the
-    /// other side they are opposite.
-    pub const PLATE: [Self; 22] = [
+    /// other side they are opposite. `damage` is of plates that break.
+    pub const PLATE: [Self; 23] = [
         Self::W,
         Self::PhiX,
         Self::PhiY,
@@ -60,6 +60,7 @@ impl FieldName {
         Self::StressYy,
         Self::StressXy,
         Self::VonMises,
+        Self::Damage,
     ];
 
     /// The fields that points of bodies have, in the order of tables; `phi` where they turn, `w` where they move across the plane.

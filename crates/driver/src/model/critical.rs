@@ -31,10 +31,10 @@ pub struct Critical {
     /// How a stretch follows from an energy release rate; `growth` if not given, of beam bonds and of solids `energy`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub formula: Option<CriticalFormula>,
-    /// Change of rotation over length at which a bond of a beam breaks, > 0.
+    /// Change of rotation over length at which a bond of a beam or of a plate in bending breaks, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curvature: Option<f64>,
-    /// Shear strain at which a bond of a beam breaks, > 0.
+    /// Shear strain at which a bond of a beam or of a plate in bending breaks, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_strain: Option<f64>,
 }
@@ -45,7 +45,8 @@ pub struct Critical {
 pub enum CriticalFormula {
     /// A long crack grows at the energy release rate, in any direction to a few percent with three spacings per
     /// horizon or more: the stretch of `energy` less what
-    /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds in the plane.
+    /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds in the plane, and of
+    /// plates in bending along the rows.
     Growth,
     /// The bonds that a crack on this lattice cuts take up the energy release rate. A long crack then needs more motion:
     /// 20 % with a horizon ratio of 3, 11 % with 4.

@@ -117,14 +117,14 @@ impl Results {
     }
 }
 
-/// Removes the files of all states but the first ones, of these the tables and grids that the run does not go on with, and
+/// Removes the files of all states but the first ones, of these the tables and grids of fields that the run does not go on with, and
 /// what was being written.
 fn remove_others(fields: &Path, recorded: usize, kept: &BTreeSet<String>) -> io::Result<()> {
     output::folder::make(fields)?;
     let states: BTreeSet<String> = (0..recorded).map(step_name).collect();
     for name in names_in(fields)? {
-        let state = name.split(['.', '_']).take(2).collect::<Vec<_>>().join("_");
-        let is_line = name.split(['.', '_']).count() > 3;
+        let state = name.split(['.', '_', '-']).take(2).collect::<Vec<_>>().join("_");
+        let is_line = name.split(['.', '_', '-']).count() > 3;
         let is_kept =
             if is_line { states.contains(&state) } else { kept.contains(&format!("fields/{name}")) };
         if is_leftover(&name) || (name.starts_with("step_") && !is_kept) {

@@ -25,6 +25,7 @@ pub fn run(
     match scene {
         Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
         Scene::Body(scene) if scene.fracture.is_some() => body::run_breaking(scene, options, resume, sink),
+        Scene::Plate(scene) if scene.fracture.is_some() => plate::run_breaking(scene, options, resume, sink),
         Scene::Body(scene) if scene.path.is_some() => body::run_softening(scene, options, resume, sink),
         _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),

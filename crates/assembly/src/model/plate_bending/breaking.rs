@@ -1,10 +1,12 @@
 //! Breaking bonds of a plate.
 //!
-//! A bond breaks by what it bends and shears, `(κ_b/κ_c)² + (γ/γ_c)² = 1`, where γ is the shear strain of the plate under it, `V·n/S` with
-//! `V·n = s γ_b/(2ω)`: its own `γ_b` holds bending, too. With a bond go the triangles that have it as a side.
+//! A bond breaks by what it bends and shears, `(κ_b/κ_c)² + (γ_b/γ_b,c)² = 1`. Its critical shear follows from that of the plate under it,
+//! whose shear strain is `V·n/S` with `V·n = s γ_b/(2ω)`, or from an energy: in a thin plate `γ_b` is bending that other bonds do not see,
+//! and the plate hardly shears. With a bond go the triangles that have it as a side.
 
-use super::PlateBending;
 use super::part::Part;
+use super::recover::Way;
+use super::{PlateBending, PlateSection};
 use crate::model::Breakable;
 use crate::stiffness::{Bond, Bonds, Term};
 use std::sync::Arc;
@@ -14,8 +16,37 @@ use std::sync::Arc;
 pub struct CriticalCurvature {
     /// Change of rotation over length κ_c, 1/m.
     pub curvature: f64,
-    /// Shear strain γ_c.
-    pub shear_strain: f64,
+    /// What bonds bear in shear.
+    pub shear: CriticalShear,
+}
+
+/// What the bonds of a plate bear in shear.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CriticalShear {
+    /// A shear strain of the plate.
+    Strain(f64),
+    /// An energy per weight and area of a cell, `½ s γ_b²/ω`, N/m.
+    Energy(f64),
+}
+
+/// How much more a long crack along the rows needs than Griffith's load if bonds hold just its energy: measured on ribbons whose edges are
+/// turned, for Poisson's ratios from 0 to 0.45 to 3 %. Cells that are longer than the plate is thick do not shear, small ones do.
+fn trapping(section: &PlateSection, h: f64) -> f64 {
+    const THICK: (f64, f64) = (0.875, 1.56);
+    const THIN: (f64, f64) = (4.0, 1.33);
+    let slenderness = section.shear * h * h / section.bending;
+    let part = ((slenderness / THICK.0).ln() / (THIN.0 / THICK.0).ln()).clamp(0.0, 1.0);
+    THICK.1 + part * (THIN.1 - THICK.1)
+}
+
+impl CriticalShear {
+    /// The ratio to it of what bonds of a shear stiffness per weight bear at `γ_b = 1`, in a plate of the shear stiffness S.
+    fn ratio(self, unit: f64, plate: f64) -> f64 {
+        match self {
+            Self::Strain(strain) => 0.5 * unit / (plate * strain),
+            Self::Energy(energy) => (0.5 * unit / energy).sqrt(),
+        }
+    }
 }
 
 /// Those of the sections by number, the base first.
@@ -33,7 +64,7 @@ impl PlateBending {
     /// Strains under which the bonds that cross a row of the lattice hold so much energy per length, J/m, by section:
     ///
     /// ```text
-    /// κ_c² (2β Σ ω |ξ_y| + ¼ (c_tr + c_dev) h) = S γ_c² Σ ω_s |ξ_y| = G_c t
+    /// κ_c² (2β Σ ω |ξ_y| + ¼ (c_tr + c_dev) h) = Σ ½ s γ_b,c² |ξ_y| = G_c t
     /// ```
     ///
     /// `energies` are G_c t of the sections by number.
@@ -47,13 +78,25 @@ impl PlateBending {
             };
             let bending = 2.0 * section.common() * crossing(&|k| part.offsets[k].bending);
             let triangles = 0.25 * h * section.rest().iter().sum::<f64>();
-            let shear = section.shear * crossing(&|k| part.offsets[k].shear);
-            CriticalCurvature {
-                curvature: (energy / (bending + triangles)).sqrt(),
-                shear_strain: (energy / shear).sqrt(),
-            }
+            let shear = CriticalShear::Energy(energy / crossing(&|k| part.offsets[k].shear));
+            CriticalCurvature { curvature: (energy / (bending + triangles)).sqrt(), shear }
         };
         CriticalCurvatures(self.parts().iter().zip(energies).map(of_part).collect())
+    }
+
+    /// The same over the lattice trapping: strains with which a long crack along the rows that opens by bending grows at the energy.
+    pub fn critical_of_growth(&self, energies: &[f64]) -> CriticalCurvatures {
+        let h = self.nodes().spacing();
+        let at_growth = |(part, held): (&Part, CriticalCurvature)| {
+            let trapping = trapping(&part.parameters.section, h);
+            let shear = match held.shear {
+                CriticalShear::Energy(energy) => CriticalShear::Energy(energy / trapping.powi(2)),
+                CriticalShear::Strain(strain) => CriticalShear::Strain(strain / trapping),
+            };
+            CriticalCurvature { curvature: held.curvature / trapping, shear }
+        };
+        let all = self.parts().iter().zip(self.critical_of_energy(energies).0);
+        CriticalCurvatures(all.map(at_growth).collect())
     }
 
     /// Part of the bonds of every point that has broken.
@@ -116,10 +159,10 @@ impl Breakable<3> for PlateBending {
 
     fn for_each_ratio(&self, u: &[f64], critical: &CriticalCurvatures, visit: &mut dyn FnMut(u64, f64)) {
         for (number, (part, critical)) in self.parts().iter().zip(&critical.0).enumerate() {
-            let ways = self.ways(part);
+            let of_way = |way: &Way| critical.shear.ratio(way.unit, part.parameters.section.shear);
+            let shears: Vec<f64> = self.ways(part).iter().map(of_way).collect();
             part.bonds.for_each_measured(u, |offset, [lower, _], [bending, shear]| {
-                let strain = 0.5 * ways[offset].unit * shear / part.parameters.section.shear;
-                let ratio = (bending / critical.curvature).hypot(strain / critical.shear_strain);
+                let ratio = (bending / critical.curvature).hypot(shear * shears[offset]);
                 if ratio > 0.0 {
                     visit(self.number(number, offset, lower), ratio);
                 }

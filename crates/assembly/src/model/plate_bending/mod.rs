@@ -47,7 +47,7 @@ mod weights;
 
 pub use bed::Bed;
 pub use bond::PlateBond;
-pub use breaking::{CriticalCurvature, CriticalCurvatures};
+pub use breaking::{CriticalCurvature, CriticalCurvatures, CriticalShear};
 pub use coarser::PlateTransfer;
 pub use error::PlateError;
 pub use free::FreeCurvature;

@@ -65,7 +65,8 @@ impl PlateBending {
             let image = on_mirror[axis].then_some(sign);
             self.slope(&u[c * n..(c + 1) * n], point, (axis, image), number)
         };
-        [slope(PHI_X, 0), slope(PHI_Y, 1), 0.5 * (slope(PHI_X, 1) + slope(PHI_Y, 0))]
+        let twist = slope(PHI_X, 1).zip(slope(PHI_Y, 0)).map_or(0.0, |(a, b)| 0.5 * (a + b));
+        [slope(PHI_X, 0).unwrap_or(0.0), slope(PHI_Y, 1).unwrap_or(0.0), twist]
     }
 
     /// Numbers of the points up to `count` steps along an axis, as far as the part with a section goes and no bond between them has broken.
@@ -89,24 +90,30 @@ impl PlateBending {
     }
 
     /// Derivative of values along an axis at a point of the part with a section; on a mirror across the axis with the sign of values
-    /// behind it.
-    fn slope(&self, values: &[f64], point: usize, (axis, image): (usize, Option<f64>), number: usize) -> f64 {
+    /// behind it. None where no bond along the axis is left.
+    fn slope(
+        &self,
+        values: &[f64],
+        point: usize,
+        (axis, image): (usize, Option<f64>),
+        number: usize,
+    ) -> Option<f64> {
         let h = self.nodes().spacing();
         let own = values[point];
         let of = |points: &[usize]| points.iter().map(|&p| values[p] - own).collect::<Vec<_>>();
         let [back, ahead] = [-1, 1].map(|sign| of(&self.ahead(point, axis, (sign, number), 2)));
         // Differences to the own value: a uniform rotation has no curvature.
         if let (Some(sign), Some((near, from))) = (image, beside(&back, &ahead)) {
-            return from * (near - (sign * (near + own) - own)) / (2.0 * h);
+            return Some(from * (near - (sign * (near + own) - own)) / (2.0 * h));
         }
-        match (&back[..], &ahead[..]) {
+        Some(match (&back[..], &ahead[..]) {
             ([b, ..], [a, ..]) => (a - b) / (2.0 * h),
             ([], [a, b]) => (4.0 * a - b) / (2.0 * h),
             ([a, b], []) => -(4.0 * a - b) / (2.0 * h),
             ([], [a, ..]) => a / h,
             ([a, ..], []) => -a / h,
-            ([], []) => 0.0,
-        }
+            ([], []) => return None,
+        })
     }
 
     /// Shear forces of all points.

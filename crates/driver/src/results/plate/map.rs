@@ -25,11 +25,13 @@ pub(super) fn map(scene: &PlateScene, result: &PlateResult) -> Map {
             "Every cell is the mean of {step} × {step}; the colour bar ends at the extremes of all points."
         ),
     };
+    // Where bonds break damage tells most.
+    let (first, others): (Vec<_>, Vec<_>) = result.fields().partition(|f| *f == FieldName::Damage);
     Map {
         note,
         length: scene.units.length().into(),
         cells: cells(&blocks),
-        fields: result.fields().filter_map(field).collect(),
+        fields: first.into_iter().chain(others).filter_map(field).collect(),
         state: (result.record.index, state_name(scene, result)),
         ..Map::default()
     }

@@ -142,7 +142,8 @@ fn write_grid(file: &Path, scene: &PlateScene, fields: &[Column]) -> io::Result<
 fn write_maps(folder: &Path, scene: &PlateScene, result: &PlateResult, title: &str) -> io::Result<()> {
     let blocks = Blocks::drawn(scene);
     let corners: Vec<[[f64; 2]; 4]> = blocks.corners().collect();
-    for field in [FieldName::W, FieldName::MomentXx, FieldName::MomentYy, FieldName::MomentXy] {
+    use FieldName::{Damage, MomentXx, MomentXy, MomentYy, W};
+    for field in [W, MomentXx, MomentYy, MomentXy, Damage] {
         let Some(values) = result.values(field) else { continue };
         let Some([low, high]) = scan::extremes(&values) else { continue };
         let place = |point: usize| {
@@ -152,7 +153,10 @@ fn write_maps(folder: &Path, scene: &PlateScene, result: &PlateResult, title: &s
         let map = Map {
             title: title.into(),
             note: format!("smallest at {}, largest at {}", place(low), place(high)),
-            label: scene.units.label(field.name(), field.about().unit.label(scene.units)),
+            label: match field {
+                Damage => "damage: cut part of the bonds".into(),
+                _ => scene.units.label(field.name(), field.about().unit.label(scene.units)),
+            },
             range: [values[low], values[high]],
             patches: corners
                 .iter()

@@ -39,7 +39,13 @@ pub fn forecast(scene: &Scene, sizes: &Sizes) -> Option<Forecast> {
             let is_solid = matches!(scene.body(), PointBody::Solid(_));
             (cut_bonds(scene), fracture.steps.strategy, fracture.steps.max_solves, is_solid)
         }
-        Scene::Plate(_) => return None,
+        Scene::Plate(scene) => {
+            let fracture = scene.fracture.as_ref()?;
+            // Three bonds per cell of the shorter side.
+            let cells = scene.plate.nodes().cells();
+            let across = cells.columns().len().min(cells.rows().len());
+            (3.0 * across as f64, fracture.strategy, fracture.max_solves, false)
+        }
     };
     let at_once = match strategy {
         _ if is_solid => IN_SOLID,

@@ -2,6 +2,7 @@
 
 mod along_lines;
 mod fields;
+mod fracture;
 mod levels;
 mod of_moments;
 mod problem;
@@ -13,6 +14,8 @@ pub use fields::PlateResult;
 pub use reaction::PlateReaction;
 pub(crate) use verdict::{checks, probes};
 
+use super::restart::Restart;
+use super::sink::Sink;
 use super::{RunError, RunOptions, RunReport, Sizes, SolvedState, prepare, solve_states};
 use crate::scene::PlateScene;
 
@@ -29,6 +32,25 @@ pub fn run(
     let (system, sizes) = prepare(scene, &RunOptions { recover, ..*options })?;
     let mut take = |solved: SolvedState| sink(fields::collect(scene, solved, recover));
     let mut report = solve_states(scene, (&system, sizes), &mut take)?;
+    report.skipped = skipped(scene, &report, recover);
+    Ok(report)
+}
+
+/// Breaks the bonds of a plate, and hands equilibria to `sink` as they come.
+///
+/// # Errors
+/// As [`super::run`].
+pub fn run_breaking(
+    scene: &PlateScene,
+    options: &RunOptions,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError> {
+    let Some(fracture) = &scene.fracture else { return Err(RunError::NotResumable) };
+    let recover = options.recover || asks_for_moments(scene);
+    let prepared = prepare(scene, &RunOptions { recover, ..*options })?;
+    let mut breaking = fracture::BreakingPlate::new(scene, fracture, recover);
+    let mut report = super::fracture::run(&mut breaking, prepared, resume, sink)?;
     report.skipped = skipped(scene, &report, recover);
     Ok(report)
 }

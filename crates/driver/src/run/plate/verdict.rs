@@ -1,6 +1,6 @@
 //! Probes and checks on the result of a plate.
 
-use super::PlateResult;
+use super::{PlateResult, fields};
 use crate::case::FieldName;
 use crate::run::reducer::{Reduced, Reducer};
 use crate::run::verdict::{self, CheckResult, ProbeResult};
@@ -87,27 +87,48 @@ fn read(scene: &PlateScene, result: &PlateResult, probe: &PlateProbe) -> Option<
             reducer.found()
         }
         PlateQuantity::OnLine(found) => along_lines(scene, result, probe.field, found),
-        PlateQuantity::Reaction { component, equations, springs } => {
-            let n = scene.plate.nodes().points();
-            let mut sum = Sum::default();
-            equations.iter().for_each(|&(k, share)| sum.add(share * result.multipliers[k]));
-            for &(k, share) in springs {
-                let forces = scene.springs[k].forces(n, &result.record.u).into_iter();
-                let own = forces.filter(|(unknown, _)| unknown / n == *component);
-                own.for_each(|(_, force)| sum.add(-share * force));
-            }
-            Some(plain(sum.total()))
+        PlateQuantity::Reaction { .. } => {
+            mechanical(scene, probe, &result.record.u, &result.multipliers).map(plain)
         }
     }
 }
 
+/// What a probe reads that follows from unknowns and from the forces that hold the equations; none of another one.
+pub(super) fn mechanical(
+    scene: &PlateScene,
+    probe: &PlateProbe,
+    u: &[f64],
+    multipliers: &[f64],
+) -> Option<f64> {
+    let n = scene.plate.nodes().points();
+    let mut sum = Sum::default();
+    match &probe.quantity {
+        PlateQuantity::Field(weights) => {
+            let plane = fields::plane(probe.field)? * n;
+            weights.iter().for_each(|&(p, w)| sum.add(w * u[plane + p as usize]));
+        }
+        PlateQuantity::Reaction { component, equations, springs } => {
+            equations.iter().for_each(|&(k, share)| sum.add(share * multipliers[k]));
+            for &(k, share) in springs {
+                let forces = scene.springs[k].forces(n, u).into_iter();
+                let own = forces.filter(|(unknown, _)| unknown / n == *component);
+                own.for_each(|(_, force)| sum.add(-share * force));
+            }
+        }
+        _ => return None,
+    }
+    Some(sum.total())
+}
+
 /// Outcomes of the checks that are made on this state, with what its probes found.
 pub(crate) fn checks(scene: &PlateScene, result: &PlateResult, probes: &[ProbeResult]) -> Vec<CheckResult> {
-    let mine = scene.expectations.iter().filter(|e| e.state == result.record.index);
+    // Which equilibrium of a plate that breaks is the last is known only after it.
+    let breaks = scene.fracture.is_some();
+    let mine = scene.expectations.iter().filter(|e| breaks || e.state == result.record.index);
+    let fact = |k: usize| result.record.facts.as_ref()?.value(scene.facts().get(k - scene.probes.len())?);
     let probed = |k: usize| {
-        let name = scene.probes.get(k).map(|probe| &probe.name);
-        let found = probes.iter().find(|found| Some(&found.name) == name);
-        found.map_or(f64::NAN, |found| found.value)
+        let Some(probe) = scene.probes.get(k) else { return fact(k).unwrap_or(f64::NAN) };
+        probes.iter().find(|found| found.name == probe.name).map_or(f64::NAN, |found| found.value)
     };
     let check = |expectation: &Expectation<BodyComparison>| {
         let points = |points: &BodyComparison| {

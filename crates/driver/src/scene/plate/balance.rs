@@ -1,8 +1,8 @@
 //! What acts on a plate as a whole.
 
-use super::Heat;
 use super::scene::PlateScene;
 use super::statics;
+use super::{Heat, fracture};
 use crate::scene::body::BodyState;
 use crate::scene::{ASKED, Counted, Resultant};
 use peristat_assembly::model::plate_bending::PlateFields;
@@ -13,6 +13,11 @@ impl PlateScene {
         let mut sum = Resultant::default();
         state.terms.iter().for_each(|&(case, factor)| sum.add_multiple(factor, &self.load_cases[case].asked));
         sum
+    }
+
+    /// What checks know beside probes.
+    pub(crate) fn facts(&self) -> &'static [&'static str] {
+        fracture::facts(self.fracture.as_ref())
     }
 
     /// What curvatures that need no moments do to the unknowns in a state.

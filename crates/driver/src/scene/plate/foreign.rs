@@ -13,7 +13,6 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         ("stress_intensity", !case.stress_intensity.is_empty(), "plates in bending have no cracks"),
         ("limit", case.is_corrected(), "use a smaller spacing"),
         ("corrections", case.corrections.is_some(), "leave it out"),
-        ("fracture", case.fracture.is_some(), "the bonds of a plate in bending do not break"),
         ("path", case.path.is_some(), "the bonds of a plate in bending do not soften"),
         ("strengths", case.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),
     ];

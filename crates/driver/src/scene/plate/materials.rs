@@ -105,8 +105,8 @@ fn check_keys(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults) {
         ("stiffness_factor", given.stiffness_factor.is_some(), "give the `youngs_modulus` of the region"),
         ("density", given.density.is_some(), "give the weight of a region as a `pressure` on it"),
         ("strengths", given.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),
-        ("critical", given.critical.is_some(), "the bonds of a plate in bending do not break"),
-        ("interface", given.interface.is_some(), "the bonds of a plate in bending do not break"),
+        ("critical", given.critical.is_some(), "all of a plate breaks by `fracture.critical`"),
+        ("interface", given.interface.is_some(), "all of a plate breaks by `fracture.critical`"),
     ];
     for (key, _, hint) in foreign.iter().filter(|key| key.1) {
         let message = format!("`{key}` is nothing that regions of a plate in bending differ in");

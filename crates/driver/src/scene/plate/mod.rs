@@ -5,6 +5,7 @@ mod border;
 mod clamped_stairs;
 mod foreign;
 mod foundation;
+mod fracture;
 mod gravity;
 mod heat;
 mod held_line;
@@ -29,6 +30,7 @@ mod symmetry;
 mod thickness;
 mod warnings;
 
+pub use fracture::PlateFracture;
 pub use held_line::HeldLine;
 pub use line_probe::OnLine;
 pub use materials::PlateMaterial;

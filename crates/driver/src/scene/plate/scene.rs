@@ -1,6 +1,7 @@
 //! From a case of a plate in bending to its scene.
 
 use super::border::Border;
+use super::fracture::PlateFracture;
 use super::held_line::{self, HeldLine};
 use super::loads::{self, Made};
 use super::materials::{self, PlateMaterial};
@@ -10,7 +11,7 @@ use super::restraints::PlateSupport;
 use super::site::Site;
 use super::supports;
 use super::thickness::Thickness;
-use super::{foreign, foundation, symmetry, warnings};
+use super::{foreign, foundation, fracture, symmetry, warnings};
 use crate::case::{Case, FieldName, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::input::Folder;
@@ -62,6 +63,8 @@ pub struct PlateScene {
     pub springs: Vec<Spring>,
     /// Load cases.
     pub load_cases: Vec<PlateLoads>,
+    /// How its bonds break, if they do.
+    pub fracture: Option<PlateFracture>,
     /// What is solved, in this order.
     pub states: Vec<BodyState>,
     /// How to solve.
@@ -98,6 +101,7 @@ impl PlateScene {
         if case.horizon.is_none() {
             case.horizon_ratio = Some(scene.plate.parameters().horizon_ratio);
         }
+        case.fracture.clone_from(&scene.case.fracture);
         let files = files::keep(&mut case, folder, max_memory);
         Ok(Self { case, files, warnings: faults, ..scene })
     }
@@ -118,6 +122,7 @@ impl PlateScene {
                     "the largest horizon ratio of plates in bending is {MOST_RATIO}; 1.5 is the most accurate"
                 ));
         }
+        fracture::check(case, ratio, faults);
         let parameters = keys.parameters(ratio, faults);
         let body::Built { body: given, outline, parts, .. } = built?;
         let (PointBody::Lattice(cells), Some(outline)) = (given, outline) else { return None };
@@ -153,11 +158,17 @@ impl PlateScene {
         let interpolation = Interpolation { body: &points, cracks: &[], reach: 1 };
         let lines = lines(site.ground, &interpolation, &|p| p, max_memory, faults);
         let states = BodyState::all(case, faults);
-        let expectations = expectations(case, &points, (&states, &probes), (folder, max_memory), faults);
+        let mut breaks = case.fracture.clone();
+        let made = (&plate, &thickness);
+        let fracture = breaks.as_mut().and_then(|f| fracture::resolve(f, (&site, &probes), made, faults));
+        let known: Vec<&str> = probes.iter().map(|probe| probe.name.as_str()).collect();
+        let known: Vec<&str> =
+            known.into_iter().chain(fracture::facts(fracture.as_ref()).iter().copied()).collect();
+        let expectations = expectations(case, &points, (&states, &known), (folder, max_memory), faults);
         held.springs.extend(foundation::springs(&site, faults));
         warnings::collect(&site, (&parameters, thickness.least()), faults);
         Some(Self {
-            case: case.clone(),
+            case: Case { fracture: breaks, ..case.clone() },
             files: Vec::new(),
             units: case.units,
             materials,
@@ -168,6 +179,7 @@ impl PlateScene {
             equations: held.equations,
             springs: held.springs,
             load_cases,
+            fracture,
             states,
             solver: case.solver,
             probes,
@@ -203,14 +215,14 @@ fn refuse(error: &PlateError, case: &Case, faults: &mut Faults) {
 fn expectations(
     case: &Case,
     body: &PointBody,
-    (states, probes): (&[BodyState], &[PlateProbe]),
+    (states, probes): (&[BodyState], &[&str]),
     (folder, max_memory): (&Folder, Option<u64>),
     faults: &mut Faults,
 ) -> Vec<Expectation<BodyComparison>> {
     let states: Vec<&str> = states.iter().map(|state| state.name.as_str()).collect();
-    let probes: Vec<&str> = probes.iter().map(|probe| probe.name.as_str()).collect();
     let is_field = |field: FieldName, path: &JsonPath, faults: &mut Faults| {
-        let is_there = FieldName::PLATE.contains(&field);
+        let is_there =
+            FieldName::PLATE.contains(&field) && (field != FieldName::Damage || case.fracture.is_some());
         if !is_there {
             faults
                 .error(path.key("field"), format!("`{}` is no field of all points of a plate", field.name()))
@@ -221,5 +233,5 @@ fn expectations(
     let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| {
         compare(check, body, (is_field, case.units), (folder, max_memory), path, faults)
     };
-    expectation::expectations(case, &states, &probes, compare, faults)
+    expectation::expectations(case, &states, probes, compare, faults)
 }

@@ -4,11 +4,13 @@ use super::body::scaled_eigenvalues;
 use super::steps::perforated;
 use super::{assert_close, parameters, plate, section, square};
 use crate::body::SquareLattice;
-use crate::model::plate_bending::{CriticalCurvature, CriticalCurvatures, PlateBending, PlateParameters};
+use crate::model::plate_bending::{
+    CriticalCurvature, CriticalCurvatures, CriticalShear, PlateBending, PlateParameters,
+};
 use crate::model::{Breakable, Model};
 use crate::stiffness::Term;
 
-const EVERY: CriticalCurvature = CriticalCurvature { curvature: 1.0, shear_strain: 1.0 };
+const EVERY: CriticalCurvature = CriticalCurvature { curvature: 1.0, shear: CriticalShear::Strain(1.0) };
 
 /// Numbers of all bonds that are there.
 fn bonds(plate: &PlateBending) -> Vec<u64> {
@@ -90,5 +92,19 @@ fn critical_strains_hold_the_energy_of_a_crack() {
     assert_close(critical.curvature.powi(2), 2.0 / (0.1 * (2.0 * 0.65 * 0.75 + 0.25 * 0.05)), 1e-12);
     // Weights of shear of P2: 0.330717489 along, 0.169282511 across the diagonals.
     let crossing = 0.1 * (0.330717489 + 2.0 * 0.169282511);
-    assert_close(critical.shear_strain.powi(2), 2.0 / (3.5 / 0.09 * crossing), 1e-8);
+    let CriticalShear::Energy(energy) = critical.shear else { panic!("{critical:?}") };
+    assert_close(energy, 2.0 / crossing, 1e-8);
+}
+
+#[test]
+fn thick_plates_break_in_shear_at_the_strain_of_their_energy() {
+    // Weights are a third along and a sixth across the diagonals: S γ_c² 2h/3 = G_c t.
+    let plate = square(10, parameters(1.5, 1e3));
+    let strain = (2.0_f64 / (3.5e-6 * 0.1 * 2.0 / 3.0)).sqrt();
+    let n = plate.nodes().points();
+    let mut u = vec![0.0; 3 * n];
+    (0..n).for_each(|p| u[p] = strain * plate.nodes().place(p)[1]);
+    let mut largest = 0.0_f64;
+    plate.for_each_ratio(&u, &plate.critical_of_energy(&[2.0]), &mut |_, ratio| largest = largest.max(ratio));
+    assert_close(largest, 1.0, 1e-6);
 }

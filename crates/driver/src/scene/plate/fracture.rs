@@ -1,0 +1,157 @@
+//! How the bonds of a plate break.
+
+use super::probes::{PlateProbe, PlateQuantity};
+use super::site::Site;
+use super::thickness::Thickness;
+use crate::case::{Case, FRACTURE_FACTS, Fracture, Load};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::model::{CriticalFormula, foreign, needed};
+use crate::scene::body::site::of_case::horizon_key;
+use crate::scene::fracture::{self, FractureScene};
+use peristat_assembly::model::plate_bending::{
+    CriticalCurvature, CriticalCurvatures, CriticalShear, PlateBending,
+};
+
+/// How a plate breaks.
+pub type PlateFracture = FractureScene<CriticalCurvatures>;
+
+/// Horizon ratios from which bonds pass over points.
+const LONG: f64 = 2.0;
+
+/// Names of all that checks can ask for, of a plate that breaks.
+pub(super) fn facts(fracture: Option<&PlateFracture>) -> &'static [&'static str] {
+    if fracture.is_some() { &FRACTURE_FACTS } else { &[] }
+}
+
+/// Faults of what a plate that breaks cannot have.
+pub(super) fn check(case: &Case, horizon_ratio: f64, faults: &mut Faults) {
+    fracture::check(case, faults);
+    let Some(fracture) = &case.fracture else { return };
+    fracture::check_probes(case, &FRACTURE_FACTS, faults);
+    if horizon_ratio >= LONG {
+        faults
+            .error(
+                root(horizon_key(case)),
+                "plates in bending break with bonds to the eight next points alone",
+            )
+            .hint("take the `horizon_ratio` 1.5, the default");
+    }
+    if !fracture.directions.is_empty() {
+        faults
+            .error(
+                root("fracture").key("directions"),
+                "`directions` is for bodies that are loaded in their plane",
+            )
+            .hint("look at the field `damage`");
+    }
+    for (k, load) in case.loads.iter().enumerate() {
+        if matches!(load, Load::Temperature(_) | Load::InitialStrain(_)) {
+            faults
+                .error(
+                    root("loads").index(k),
+                    "plates in bending that break have no heat and no curvature from the beginning",
+                )
+                .hint("find the moments of the plate as it is, without `fracture`");
+        }
+    }
+}
+
+/// The fracture of a case, with its defaults filled in.
+pub(super) fn resolve(
+    fracture: &mut Fracture,
+    (site, probes): (&Site, &[PlateProbe]),
+    (plate, thickness): (&PlateBending, &Thickness),
+    faults: &mut Faults,
+) -> Option<PlateFracture> {
+    let path = root("fracture");
+    let load = probes.iter().find(|probe| probe.name == fracture.load);
+    if let Some(load) = load.filter(|load| load.is_recovered() || !stands_for_load(&load.quantity)) {
+        faults
+            .error(
+                path.key("load"),
+                format!("`{}` at {} does not stand for the load", load.field.name(), load.place),
+            )
+            .hint("take a probe of a reaction or of a deflection at a point");
+    }
+    let mut exempt = vec![false; site.nodes.points()];
+    for (k, name) in fracture.no_fail.iter().enumerate() {
+        let points = site.ground.region(name, &path.key("no_fail").index(k), faults);
+        points.into_iter().flatten().for_each(|point| exempt[point as usize] = true);
+    }
+    let critical = critical(fracture, (plate, thickness), &path.key("critical"), faults)?;
+    let names: Vec<&str> = probes.iter().map(|probe| probe.name.as_str()).collect();
+    fracture::resolve(fracture, critical, exempt, &names, faults)
+}
+
+/// Whether what a probe reads follows from unknowns and from what holds the plate.
+fn stands_for_load(quantity: &PlateQuantity) -> bool {
+    matches!(quantity, PlateQuantity::Field(_) | PlateQuantity::Reaction { .. })
+}
+
+/// Critical strains of every section.
+fn critical(
+    fracture: &Fracture,
+    (plate, thickness): (&PlateBending, &Thickness),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<CriticalCurvatures> {
+    let given = &fracture.critical;
+    const HINT: &str =
+        "a plate in bending breaks by `curvature` and `shear_strain`, or by `energy_release_rate`";
+    let others = [
+        ("stretch", given.stretch),
+        ("fibre_stretch", given.fibre_stretch),
+        ("matrix_stretch", given.matrix_stretch),
+        ("fibre_energy_release_rate", given.fibre_energy_release_rate),
+        ("matrix_energy_release_rate", given.matrix_energy_release_rate),
+    ];
+    foreign(&others, HINT, path, faults);
+    if given.formula == Some(CriticalFormula::Published) {
+        faults
+            .error(
+                path.key("formula"),
+                "plates in bending have no `published` formula of an energy release rate",
+            )
+            .hint("take `growth`, the default, or `energy`");
+    }
+    if given.formula.is_some() && given.energy_release_rate.is_none() {
+        faults
+            .error(path.key("formula"), "`formula` says what follows from an `energy_release_rate`")
+            .hint(HINT);
+    }
+    let strains = [("curvature", given.curvature), ("shear_strain", given.shear_strain)];
+    let named = strains.iter().find(|strain| strain.1.is_some());
+    match (given.energy_release_rate, named) {
+        (Some(rate), None) => {
+            needed(Some(rate), "energy_release_rate", path, faults)?;
+            let energies: Vec<f64> = thickness.of_sections.iter().map(|t| rate * t).collect();
+            Some(match given.formula {
+                Some(CriticalFormula::Energy) => plate.critical_of_energy(&energies),
+                _ => plate.critical_of_growth(&energies),
+            })
+        }
+        (Some(_), Some((key, _))) => {
+            faults
+                .error(
+                    path.key("energy_release_rate"),
+                    format!("`{key}` and `energy_release_rate` are both given"),
+                )
+                .hint("the one follows from the other: remove one of them");
+            None
+        }
+        (None, None) => {
+            faults.error(path.clone(), "`curvature` or `shear_strain` is missing").hint(HINT);
+            None
+        }
+        (None, Some(_)) => {
+            // A strain that is not given never breaks a bond.
+            let [curvature, shear_strain] = strains.map(|(key, value)| match value {
+                Some(_) => needed(value, key, path, faults),
+                None => Some(f64::INFINITY),
+            });
+            let shear = CriticalShear::Strain(shear_strain?);
+            let strain = CriticalCurvature { curvature: curvature?, shear };
+            Some(CriticalCurvatures(vec![strain; thickness.of_sections.len()]))
+        }
+    }
+}
