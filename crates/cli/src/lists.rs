@@ -106,7 +106,7 @@ const FRACTURE: [(&str, &str); 9] = [
         "formula",
         "how stretches follow from energy release rates: growth, of a crack that runs (default of central bonds in the plane), energy, of the bonds that a crack on the lattice cuts (default of others), or published",
     ),
-    ("curvature, shear_strain", "critical strains of a beam, one of them or both"),
+    ("curvature, shear_strain", "critical strains of a beam or of a plate in bending, one of them or both"),
 ];
 
 const PATH: [(&str, &str); 9] = [

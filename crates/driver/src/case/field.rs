@@ -185,7 +185,8 @@ pub enum FieldName {
     /// normal to it, of a crack along y of the right one less the left one. Both faces are extrapolated from two rows.
     #[serde(rename = "opening")]
     Opening,
-    /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane; zero where nothing is cut.
+    /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane; of a plate in bending that of its bonds;
+    /// zero where nothing is cut.
     #[serde(rename = "damage")]
     Damage,
     /// Change of temperature, kelvin, where a load changes it.

@@ -24,8 +24,8 @@ pub struct Fracture {
     /// break.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub increment: Option<f64>,
-    /// Regions of a body in the plane or of a solid in which no bond breaks, such as those around supports and loads: bonds with an end
-    /// there. Bonds of points that are held or belong to rigid regions never break; those of a beam do, at clamps above all.
+    /// Regions of a body in the plane, of a plate in bending or of a solid in which no bond breaks, such as those around supports and loads: bonds with an end
+    /// there. Bonds of points that are held or belong to rigid regions never break; those of beams and of plates in bending do, at clamps above all.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub no_fail: Vec<String>,
     /// Name of the probe that stands for the load in `curve.csv`, such as a reaction.

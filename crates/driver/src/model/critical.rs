@@ -39,14 +39,14 @@ pub struct Critical {
     pub shear_strain: Option<f64>,
 }
 
-/// How a critical stretch follows from an energy release rate.
+/// How critical strains follow from an energy release rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CriticalFormula {
     /// A long crack grows at the energy release rate, in any direction to a few percent with three spacings per
     /// horizon or more: the stretch of `energy` less what
-    /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds in the plane, and of
-    /// plates in bending along the rows.
+    /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds in the plane; of plates
+    /// in bending for a crack along the rows that opens by bending.
     Growth,
     /// The bonds that a crack on this lattice cuts take up the energy release rate. A long crack then needs more motion:
     /// 20 % with a horizon ratio of 3, 11 % with 4.

@@ -193,7 +193,8 @@ impl<const D: usize> Workspace<D> {
         let direction = self.pcg.precondition(&mut preconditioner, &self.residual);
         let work: f64 = direction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
         system.constraints().expand(0.0, direction);
-        2.0 * system.survey(direction).energy < YIELDING * work
+        // A factor of what is singular may have pivots below zero.
+        2.0 * system.survey(direction).energy < YIELDING * work.abs()
     }
 
     /// Forces that hold the equations, and twice the work of prescribed motions with them.

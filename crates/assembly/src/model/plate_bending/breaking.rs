@@ -30,7 +30,7 @@ pub enum CriticalShear {
 }
 
 /// How much more a long crack along the rows needs than Griffith's load if bonds hold just its energy: measured on ribbons whose edges are
-/// turned, for Poisson's ratios from 0 to 0.45 to 3 %. Cells that are longer than the plate is thick do not shear, small ones do.
+/// turned, for Poisson's ratios from 0 to 0.45 to 3 %. Cells that are longer than the plate is thick shear little; short ones shear.
 fn trapping(section: &PlateSection, h: f64) -> f64 {
     const THICK: (f64, f64) = (0.875, 1.56);
     const THIN: (f64, f64) = (4.0, 1.33);
@@ -84,23 +84,19 @@ impl PlateBending {
         CriticalCurvatures(self.parts().iter().zip(energies).map(of_part).collect())
     }
 
-    /// The same over the lattice trapping: strains with which a long crack along the rows that opens by bending grows at the energy.
+    /// The same divided by the lattice trapping: strains with which a long crack along the rows that opens by bending grows at the energy.
     pub fn critical_of_growth(&self, energies: &[f64]) -> CriticalCurvatures {
         let h = self.nodes().spacing();
-        let at_growth = |(part, held): (&Part, CriticalCurvature)| {
-            let trapping = trapping(&part.parameters.section, h);
-            let shear = match held.shear {
-                CriticalShear::Energy(energy) => CriticalShear::Energy(energy / trapping.powi(2)),
-                CriticalShear::Strain(strain) => CriticalShear::Strain(strain / trapping),
-            };
-            CriticalCurvature { curvature: held.curvature / trapping, shear }
-        };
-        let all = self.parts().iter().zip(self.critical_of_energy(energies).0);
-        CriticalCurvatures(all.map(at_growth).collect())
+        let trapping = |part: &Part| trapping(&part.parameters.section, h).powi(2);
+        let held: Vec<f64> = energies.iter().zip(self.parts()).map(|(e, part)| e / trapping(part)).collect();
+        self.critical_of_energy(&held)
     }
 
     /// Part of the bonds of every point that has broken.
     pub fn damage(&self) -> Vec<f64> {
+        if self.cut.is_empty() {
+            return vec![0.0; self.nodes().points()];
+        }
         let mut whole = self.cut.clone();
         for part in self.parts() {
             part.bonds.for_each_bond(|_, ends, [factor, ..]| ends.iter().for_each(|&p| whole[p] += factor));
@@ -110,6 +106,9 @@ impl PlateBending {
 
     /// Whether the bond of a part from a point to the next one along an axis has broken.
     pub(super) fn is_cut(&self, part: usize, node: [i32; 2], axis: usize) -> bool {
+        if self.cut.is_empty() {
+            return false;
+        }
         let Some(lower) = self.nodes().number(node).filter(|&point| self.cut[point] > 0.0) else {
             return false;
         };
@@ -174,6 +173,9 @@ impl Breakable<3> for PlateBending {
         let mut terms: Vec<Box<dyn Term<3>>> = Vec::new();
         for (number, part) in self.parts().iter().enumerate() {
             let listed = self.listed(bonds, number);
+            if listed.is_empty() {
+                continue;
+            }
             let ends: Vec<[usize; 2]> = listed.iter().map(|bond| bond.points.map(|p| p as usize)).collect();
             if let Some(triangles) = part.triangles() {
                 terms.push(Box::new(Arc::new(triangles.beside(self.nodes(), &ends))));

@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 /// Rotations of three corners relative to the first, `[corner][axis]` in a row.
 pub(super) const MEASURES: usize = 6;
+/// Sets of triangles that a cell may have.
+const SETS: usize = 16;
 /// All triangles of a cell.
 pub(super) const WHOLE: Set = 0b1111;
 
@@ -30,7 +32,7 @@ pub(super) struct Triangles {
     /// Cells that have lost triangles, by their lower left corners: their upper left ones, and the triangles that are left.
     torn: BTreeMap<u32, (u32, Set)>,
     /// Conjugate to the measures, N m, by what a cell has left.
-    moduli: Arc<[Mat<MEASURES, MEASURES>]>,
+    moduli: Arc<[Mat<MEASURES, MEASURES>; SETS]>,
 }
 
 /// Triangles of a cell, a bit for the corner `a + 2b` of each.
@@ -50,7 +52,7 @@ pub(super) fn triangles((nodes, inside): (&PlateNodes, Inside), section: &PlateS
         }
     }
     let cells = rows.iter().map(Vec::len).sum();
-    let moduli = (0..=WHOLE).map(|left| modulus(rest, left)).collect();
+    let moduli = Arc::new(from_fn(|left| modulus(rest, left as Set)));
     Some(Triangles { points: nodes.points(), rows, first, cells, torn: BTreeMap::new(), moduli })
 }
 
@@ -104,16 +106,22 @@ impl Triangles {
         (s, self.conjugate(left, &s))
     }
 
+    #[inline(always)]
+    fn modulus(&self, left: Set) -> &Mat<MEASURES, MEASURES> {
+        // Without a check.
+        &self.moduli[usize::from(left) % SETS]
+    }
+
     /// What is conjugate to measures of a cell with the triangles that are left.
     #[inline(always)]
     fn conjugate(&self, left: Set, s: &[f64; MEASURES]) -> [f64; MEASURES] {
-        let modulus = &self.moduli[usize::from(left)];
+        let modulus = self.modulus(left);
         from_fn(|m| (0..MEASURES).map(|k| modulus[m][k] * s[k]).sum())
     }
 
     /// The block of two corners of a cell with the triangles that are left.
     pub(super) fn block(&self, left: Set, a: usize, b: usize) -> Mat<3, 3> {
-        let modulus = &self.moduli[usize::from(left)];
+        let modulus = self.modulus(left);
         let of = |corner: usize| if corner == 0 { 0..3 } else { corner - 1..corner };
         let sign = if (a == 0) == (b == 0) { 1.0 } else { -1.0 };
         let entry = |r: usize, c: usize| -> f64 {
@@ -134,6 +142,11 @@ impl Triangles {
         self.rows.iter().flatten().map(|&cell| (cell, WHOLE)).chain(self.torn())
     }
 
+    /// How many cells there are.
+    pub(super) fn count(&self) -> usize {
+        self.cells + self.torn.len()
+    }
+
     /// The cells that have lost some of them.
     pub(super) fn torn(&self) -> impl Iterator<Item = ([u32; 2], Set)> + '_ {
         self.torn.iter().map(|(&lower, &(upper, left))| ([lower, upper], left))
@@ -145,6 +158,7 @@ impl Triangles {
             let row = &mut self.rows[(nodes.node(cell[0] as usize)[1] - self.first) as usize];
             if let Ok(place) = row.binary_search(&cell) {
                 row.remove(place);
+                self.cells -= 1;
                 self.torn.insert(cell[0], (cell[1], WHOLE));
             }
             let Some((_, left)) = self.torn.get_mut(&cell[0]) else { continue };
@@ -153,7 +167,6 @@ impl Triangles {
                 self.torn.remove(&cell[0]);
             }
         }
-        self.cells = self.rows.iter().map(Vec::len).sum();
     }
 
     /// The triangles that would go with some bonds between next points.
@@ -167,7 +180,8 @@ impl Triangles {
                 torn.entry(cell[0]).or_insert((cell[1], 0)).1 |= left & lost;
             }
         }
-        Self { rows: Vec::new(), cells: 0, torn, ..self.clone() }
+        let (points, first, moduli) = (self.points, self.first, self.moduli.clone());
+        Self { points, rows: Vec::new(), first, cells: 0, torn, moduli }
     }
 
     /// Hands the load of a curvature that cells are free at to `add`.

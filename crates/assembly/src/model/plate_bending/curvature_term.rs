@@ -118,7 +118,7 @@ impl Term<3> for Triangles {
     }
 
     fn elements(&self) -> usize {
-        self.cells + self.torn().count()
+        self.count()
     }
 
     fn joins_many(&self) -> bool {

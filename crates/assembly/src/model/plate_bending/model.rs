@@ -17,7 +17,7 @@ pub struct PlateBending {
     nodes: PlateNodes,
     sections: Arc<CellSections>,
     parts: Vec<Part>,
-    /// Bonds that every point has lost.
+    /// Bonds that every point has lost; empty as long as none has broken.
     pub(super) cut: Vec<f64>,
 }
 
@@ -63,8 +63,7 @@ impl PlateBending {
             Part::new(&nodes, PlateParameters { section, ..parameters }, &inside)
         };
         let parts = all.map(part).collect::<Result<_, _>>()?;
-        let cut = vec![0.0; nodes.points()];
-        Ok(Self { nodes, sections: Arc::new(sections), parts, cut })
+        Ok(Self { nodes, sections: Arc::new(sections), parts, cut: Vec::new() })
     }
 
     /// Its parameters, with the section of cells that have no other.
@@ -104,6 +103,7 @@ impl PlateBending {
     /// Takes a bond between next points out of a part, by the index of its offset and its lower point, and the triangles beside it.
     pub(super) fn cut_bond(&mut self, part: usize, (offset, lower): (usize, usize)) {
         if let Some((ends, factor)) = self.parts[part].cut_bond(&self.nodes, (offset, lower)) {
+            self.cut.resize(self.nodes.points(), 0.0);
             ends.iter().for_each(|&point| self.cut[point] += factor);
         }
     }

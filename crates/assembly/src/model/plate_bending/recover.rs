@@ -123,7 +123,8 @@ impl PlateBending {
         // All four cells about it belong to the body, or are images of some.
         let is_inner = |point: usize| {
             let images: f64 = on_mirror(point).iter().map(|is_on| if *is_on { 2.0 } else { 1.0 }).product();
-            images * self.nodes().area(point) > 0.99 * h * h
+            let is_whole = self.cut.get(point).is_none_or(|cut| *cut == 0.0);
+            is_whole && images * self.nodes().area(point) > 0.99 * h * h
         };
         let of_point = |point: usize| match is_inner(point) {
             true => by_bonds[point],

@@ -28,7 +28,7 @@ impl<'a> Blocks<'a> {
 
     /// The blocks for a map in a report.
     pub(super) fn mapped(scene: &'a PlateScene) -> Self {
-        Self::within(scene, MAPPED[usize::from(scene.states.len() > 1)])
+        Self::within(scene, MAPPED[usize::from(scene.states.len() > 1 || scene.case.is_traced())])
     }
 
     fn within(scene: &'a PlateScene, most: usize) -> Self {

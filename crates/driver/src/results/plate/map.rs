@@ -40,7 +40,7 @@ pub(super) fn map(scene: &PlateScene, result: &PlateResult) -> Map {
 /// What a state is called, with its load factor where it has one of its own.
 fn state_name(scene: &PlateScene, result: &PlateResult) -> String {
     let record = &result.record;
-    match scene.case.steps.is_some() {
+    match scene.case.steps.is_some() || scene.case.is_traced() {
         true => format!("{}, load factor {}", record.name, short(record.load_factor)),
         false => record.name.clone(),
     }

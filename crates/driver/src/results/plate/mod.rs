@@ -96,9 +96,9 @@ pub(super) fn finite(result: &PlateResult) -> bool {
 
 /// The title of a state: that of the case, and its name where there are several.
 fn title(scene: &PlateScene, result: &PlateResult) -> String {
-    match scene.states.len() {
-        1 => scene.case.title.clone(),
-        _ => format!("{} - {}", scene.case.title, result.record.name),
+    match scene.states.len() > 1 || scene.case.is_traced() {
+        false => scene.case.title.clone(),
+        true => format!("{} - {}", scene.case.title, result.record.name),
     }
 }
 

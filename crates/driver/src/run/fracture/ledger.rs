@@ -19,6 +19,12 @@ pub(super) struct Ledger {
     load_factor: f64,
 }
 
+/// Part of the work at the unit load that is not stored, above which the body moves without strain.
+const MISSED: f64 = 1e-2;
+
+/// Part of the largest energy of an equilibrium that is rounding, where loads have come off.
+const ROUNDING: f64 = 1e-9;
+
 /// Energies of an equilibrium at the unit load.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct UnitEnergy {
@@ -26,6 +32,15 @@ pub(super) struct UnitEnergy {
     pub(super) work: f64,
     /// Strain energy.
     pub(super) stored: f64,
+}
+
+impl UnitEnergy {
+    /// Whether what works is stored, but for what an equilibrium that is found well enough for its strains may miss, or is rounding
+    /// beside the `most` that was stored.
+    pub(super) fn balances(&self, most: f64) -> bool {
+        let size = self.work.abs().max(self.stored.abs());
+        (self.work - self.stored).abs() <= MISSED * size || size <= ROUNDING * most
+    }
 }
 
 impl Ledger {

@@ -19,6 +19,8 @@ const POLISHING: usize = 60;
 const LEAST: f64 = 1e-3;
 /// Iterations with a new inverse.
 const PATIENCE: usize = 100;
+/// Displacements over those of the last equilibrium, at the same load, that are those of what moves without strain.
+const FAR: f64 = 1e6;
 /// Residual over the sudden jump up to which rounding may be what is left.
 const ROUGH: f64 = 1e-6;
 
@@ -38,6 +40,8 @@ pub(super) struct Unit<const D: usize> {
     /// Forces that hold the equations.
     pub(super) multipliers: Vec<f64>,
     pub(super) energy: UnitEnergy,
+    /// The largest strain energy of an equilibrium so far.
+    most_stored: f64,
     pub(super) iterations: usize,
     /// Residual, 2-norm.
     pub(super) residual: f64,
@@ -97,6 +101,7 @@ impl<const D: usize> Unit<D> {
             u: vec![0.0; system.size()],
             multipliers: Vec::new(),
             energy: UnitEnergy::default(),
+            most_stored: 0.0,
             iterations: 0,
             residual: f64::INFINITY,
             target: tolerance * jump,
@@ -139,14 +144,33 @@ impl<const D: usize> Unit<D> {
                 self.target = 2.0 * self.residual;
                 Outcome::Found
             }
-            false if self.work.yields(system, &mut self.inverse, (&self.all, &before)) => Outcome::Unborne,
-            false => Outcome::Lost,
+            false => self.unborne_or_lost(system, &before),
         };
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += self.iterations;
-        timing.solve += begin.elapsed().as_secs_f64();
         self.weigh(system);
+        // What moves without strain leaves a small residual, and a work that nothing stores.
+        let outcome = match outcome {
+            Outcome::Found if !self.energy.balances(self.most_stored) => {
+                self.unborne_or_lost(system, &before)
+            }
+            outcome => outcome,
+        };
+        if outcome == Outcome::Found {
+            self.most_stored = self.most_stored.max(self.energy.stored);
+        }
+        timing.solve += begin.elapsed().as_secs_f64();
         Ok((outcome, renewed))
+    }
+
+    /// Why there is no equilibrium, after the last one: the loads act on what moves without strain, by what the inverse says of it or as
+    /// it moves beyond all measure, or it is not known.
+    fn unborne_or_lost(&mut self, system: &System<D>, before: &[f64]) -> Outcome {
+        let is_far = norm(&self.u) > FAR * norm(before);
+        match is_far || self.work.yields(system, &mut self.inverse, (&self.all, before)) {
+            true => Outcome::Unborne,
+            false => Outcome::Lost,
+        }
     }
 
     /// Makes the inverse that of the system as it is now.
@@ -168,6 +192,9 @@ impl<const D: usize> Unit<D> {
             self.counters.factorisations = last.factorisations;
             self.residual = last.residual;
         }
+        let stored = restart.events.iter().filter(|event| event.load_factor > 0.0);
+        let stored = stored.map(|event| event.stored / event.load_factor.powi(2));
+        self.most_stored = stored.fold(0.0, f64::max);
         self.counters.right_hand_sides = restart.right_hand_sides;
         self.counters.pcg_iterations = restart.pcg_iterations;
         self.target = restart.target;

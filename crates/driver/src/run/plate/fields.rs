@@ -86,10 +86,10 @@ pub(super) fn of_plate(
     if let Some(fields) = fields.as_ref().filter(|_| is_heated) {
         certificate.energy = scene.energy(fields);
     }
-    let resultants = Resultants::new(&asked, &applied, &held, (scene.statical(), [false; 3]));
     // Loads on parts that have come off act no more.
-    let is_whole = facts.is_none() || index == 0;
-    certificate.account(resultants, if is_whole { scene.slack(state) } else { f64::INFINITY });
+    let asked = if facts.is_none() || index == 0 { asked } else { applied };
+    let resultants = Resultants::new(&asked, &applied, &held, (scene.statical(), [false; 3]));
+    certificate.account(resultants, scene.slack(state));
     let damage = if facts.is_some() { plate.damage() } else { Vec::new() };
     PlateResult {
         reactions: reaction::of_supports(scene, &solution.multipliers, &u),

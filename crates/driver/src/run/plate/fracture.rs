@@ -4,7 +4,7 @@ use super::fields::{self, Equilibrium};
 use super::verdict;
 use crate::case::Solver;
 use crate::run::fracture::{BreakingBody, Facts};
-use crate::run::{Problem, SolvedState, StateResult};
+use crate::run::{Problem, SolvedState, Spread, StateResult};
 use crate::scene::PlateScene;
 use crate::scene::plate::{PlateFracture, PlateQuantity};
 use peristat_assembly::condition::Equation;
@@ -56,6 +56,14 @@ impl Problem<3> for BrokenPlate<'_> {
 
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
         self.scene.add_load(state, force)
+    }
+
+    fn breaks(&self) -> bool {
+        true
+    }
+
+    fn spread(&self) -> Spread {
+        Spread::Plane
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {

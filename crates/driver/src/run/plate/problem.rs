@@ -33,6 +33,10 @@ impl Problem<3> for PlateScene {
         self.states.len()
     }
 
+    fn breaks(&self) -> bool {
+        self.fracture.is_some()
+    }
+
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
         let state = &self.states[state];
         for &(case, factor) in &state.terms {

@@ -11,7 +11,7 @@ use peristat_assembly::sum::Sum;
 
 /// Whether a check of all points needs moments; those of probes are known from the probes.
 pub(super) fn is_recovered(expectation: &Expectation<BodyComparison>) -> bool {
-    matches!(&expectation.kind, ExpectationKind::Points(points) if points.field.is_recovered())
+    matches!(&expectation.kind, ExpectationKind::Points(points) if points.field != FieldName::Damage && points.field.is_recovered())
 }
 
 /// Values of all probes on one state.

@@ -3,9 +3,9 @@
 use super::probes::{PlateProbe, PlateQuantity};
 use super::site::Site;
 use super::thickness::Thickness;
-use crate::case::{Case, FRACTURE_FACTS, Fracture, Load};
+use crate::case::{Case, FRACTURE_FACTS, FieldName, Fracture, Load};
 use crate::diagnostic::{Faults, JsonPath, root};
-use crate::model::{CriticalFormula, foreign, needed};
+use crate::model::{Critical, CriticalFormula, foreign, needed};
 use crate::scene::body::site::of_case::horizon_key;
 use crate::scene::fracture::{self, FractureScene};
 use peristat_assembly::model::plate_bending::{
@@ -28,7 +28,7 @@ pub(super) fn check(case: &Case, horizon_ratio: f64, faults: &mut Faults) {
     fracture::check(case, faults);
     let Some(fracture) = &case.fracture else { return };
     fracture::check_probes(case, &FRACTURE_FACTS, faults);
-    if horizon_ratio >= LONG {
+    if horizon_ratio >= LONG * (1.0 - 1e-6) {
         faults
             .error(
                 root(horizon_key(case)),
@@ -65,7 +65,7 @@ pub(super) fn resolve(
 ) -> Option<PlateFracture> {
     let path = root("fracture");
     let load = probes.iter().find(|probe| probe.name == fracture.load);
-    if let Some(load) = load.filter(|load| load.is_recovered() || !stands_for_load(&load.quantity)) {
+    if let Some(load) = load.filter(|load| !stands_for_load(load)) {
         faults
             .error(
                 path.key("load"),
@@ -78,24 +78,28 @@ pub(super) fn resolve(
         let points = site.ground.region(name, &path.key("no_fail").index(k), faults);
         points.into_iter().flatten().for_each(|point| exempt[point as usize] = true);
     }
-    let critical = critical(fracture, (plate, thickness), &path.key("critical"), faults)?;
+    let critical = critical(&mut fracture.critical, (plate, thickness), &path.key("critical"), faults)?;
     let names: Vec<&str> = probes.iter().map(|probe| probe.name.as_str()).collect();
     fracture::resolve(fracture, critical, exempt, &names, faults)
 }
 
 /// Whether what a probe reads follows from unknowns and from what holds the plate.
-fn stands_for_load(quantity: &PlateQuantity) -> bool {
-    matches!(quantity, PlateQuantity::Field(_) | PlateQuantity::Reaction { .. })
+fn stands_for_load(probe: &PlateProbe) -> bool {
+    let is_unknown = [FieldName::W, FieldName::PhiX, FieldName::PhiY].contains(&probe.field);
+    match probe.quantity {
+        PlateQuantity::Field(_) => is_unknown,
+        PlateQuantity::Reaction { .. } => true,
+        _ => false,
+    }
 }
 
 /// Critical strains of every section.
 fn critical(
-    fracture: &Fracture,
+    given: &mut Critical,
     (plate, thickness): (&PlateBending, &Thickness),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<CriticalCurvatures> {
-    let given = &fracture.critical;
     const HINT: &str =
         "a plate in bending breaks by `curvature` and `shear_strain`, or by `energy_release_rate`";
     let others = [
@@ -125,8 +129,8 @@ fn critical(
         (Some(rate), None) => {
             needed(Some(rate), "energy_release_rate", path, faults)?;
             let energies: Vec<f64> = thickness.of_sections.iter().map(|t| rate * t).collect();
-            Some(match given.formula {
-                Some(CriticalFormula::Energy) => plate.critical_of_energy(&energies),
+            Some(match given.formula.get_or_insert(CriticalFormula::Growth) {
+                CriticalFormula::Energy => plate.critical_of_energy(&energies),
                 _ => plate.critical_of_growth(&energies),
             })
         }

@@ -58,7 +58,7 @@ const REACTIONS: [(FieldName, usize); 3] =
 impl PlateProbe {
     /// Whether it needs more than the unknowns and reactions.
     pub fn is_recovered(&self) -> bool {
-        self.field.is_recovered()
+        self.field != FieldName::Damage && self.field.is_recovered()
     }
 
     /// What it makes of many points, if it does.
