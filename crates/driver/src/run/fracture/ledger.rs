@@ -22,9 +22,6 @@ pub(super) struct Ledger {
 /// Part of the work at the unit load that is not stored, above which the body moves without strain.
 const MISSED: f64 = 1e-2;
 
-/// Part of the largest energy of an equilibrium that is rounding, where loads have come off.
-const ROUNDING: f64 = 1e-9;
-
 /// Energies of an equilibrium at the unit load.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct UnitEnergy {
@@ -35,11 +32,11 @@ pub(super) struct UnitEnergy {
 }
 
 impl UnitEnergy {
-    /// Whether what works is stored, but for what an equilibrium that is found well enough for its strains may miss, or is rounding
-    /// beside the `most` that was stored.
+    /// Whether what works is stored, of a body that takes more than the `most` that was stored so far. Less of it may be rounding, beside a
+    /// sudden jump of what is moved.
     pub(super) fn balances(&self, most: f64) -> bool {
         let size = self.work.abs().max(self.stored.abs());
-        (self.work - self.stored).abs() <= MISSED * size || size <= ROUNDING * most
+        size <= most || (self.work - self.stored).abs() <= MISSED * size
     }
 }
 
