@@ -3,6 +3,7 @@
 //! Every family of models has its own kind of scene; what they share is here.
 
 pub mod beam;
+mod bending_criterion;
 pub mod body;
 mod drawing;
 mod expansion;

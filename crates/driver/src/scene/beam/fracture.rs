@@ -8,7 +8,7 @@ use crate::case::FRACTURE_FACTS;
 use crate::case::{Case, Check, Fracture};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
-use crate::model::{foreign, needed};
+use crate::scene::bending_criterion::{self, Criterion};
 use crate::scene::fracture::{self, FractureScene};
 use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains, TimoshenkoBeam};
 
@@ -113,47 +113,18 @@ fn critical(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<CriticalStrains> {
+    const WHAT: &str = "a beam";
     let given = &fracture.critical;
-    const HINT: &str = "a beam breaks by `curvature` and `shear_strain`, or by `energy_release_rate`";
-    foreign(
-        &[
-            ("stretch", given.stretch),
-            ("fibre_stretch", given.fibre_stretch),
-            ("matrix_stretch", given.matrix_stretch),
-            ("fibre_energy_release_rate", given.fibre_energy_release_rate),
-            ("matrix_energy_release_rate", given.matrix_energy_release_rate),
-        ],
-        HINT,
-        path,
-        faults,
-    );
+    let criterion = bending_criterion::given(given, WHAT, path, faults);
     if given.formula.is_some() {
-        faults.error(path.key("formula"), "`formula` is for bodies in the plane").hint(HINT);
+        faults
+            .error(path.key("formula"), "`formula` is for bodies in the plane")
+            .hint(bending_criterion::hint(WHAT));
     }
-    let strains = [("curvature", given.curvature), ("shear_strain", given.shear_strain)];
-    let named = strains.iter().find(|s| s.1.is_some());
-    match (given.energy_release_rate, named) {
-        (Some(rate), None) => of_energy(rate, context, path, faults),
-        (Some(_), Some((key, _))) => {
-            faults
-                .error(
-                    path.key("energy_release_rate"),
-                    format!("`{key}` and `energy_release_rate` are both given"),
-                )
-                .hint("the one follows from the other: remove one of them");
-            None
-        }
-        (None, None) => {
-            faults.error(path.clone(), "`curvature` or `shear_strain` is missing").hint(HINT);
-            None
-        }
-        (None, Some(_)) => {
-            // A strain that is not given never breaks a bond.
-            let [curvature, shear_strain] = strains.map(|(key, value)| match value {
-                Some(_) => needed(value, key, path, faults),
-                None => Some(f64::INFINITY),
-            });
-            let strain = CriticalStrain { curvature: curvature?, shear_strain: shear_strain? };
+    match criterion? {
+        Criterion::Energy(rate) => of_energy(rate, context, path, faults),
+        Criterion::Strains([curvature, shear_strain]) => {
+            let strain = CriticalStrain { curvature, shear_strain };
             Some(CriticalStrains(vec![strain; context.beam.chains().len()]))
         }
     }
@@ -166,7 +137,6 @@ fn of_energy(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<CriticalStrains> {
-    needed(Some(rate), "energy_release_rate", path, faults)?;
     let mut all = Vec::new();
     for (chain, section) in context.beam.chains().iter().zip(context.sections) {
         let strain = CriticalStrain::of_energy(rate, chain).filter(|_| section.area.is_some());

@@ -5,7 +5,8 @@ use super::site::Site;
 use super::thickness::Thickness;
 use crate::case::{Case, FRACTURE_FACTS, FieldName, Fracture, Load};
 use crate::diagnostic::{Faults, JsonPath, root};
-use crate::model::{Critical, CriticalFormula, foreign, needed};
+use crate::model::{Critical, CriticalFormula};
+use crate::scene::bending_criterion::{self, Criterion};
 use crate::scene::body::site::of_case::horizon_key;
 use crate::scene::fracture::{self, FractureScene};
 use peristat_assembly::model::plate_bending::{
@@ -100,16 +101,8 @@ fn critical(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<CriticalCurvatures> {
-    const HINT: &str =
-        "a plate in bending breaks by `curvature` and `shear_strain`, or by `energy_release_rate`";
-    let others = [
-        ("stretch", given.stretch),
-        ("fibre_stretch", given.fibre_stretch),
-        ("matrix_stretch", given.matrix_stretch),
-        ("fibre_energy_release_rate", given.fibre_energy_release_rate),
-        ("matrix_energy_release_rate", given.matrix_energy_release_rate),
-    ];
-    foreign(&others, HINT, path, faults);
+    const WHAT: &str = "a plate in bending";
+    let criterion = bending_criterion::given(given, WHAT, path, faults);
     if given.formula == Some(CriticalFormula::Published) {
         faults
             .error(
@@ -121,41 +114,20 @@ fn critical(
     if given.formula.is_some() && given.energy_release_rate.is_none() {
         faults
             .error(path.key("formula"), "`formula` says what follows from an `energy_release_rate`")
-            .hint(HINT);
+            .hint(bending_criterion::hint(WHAT));
     }
-    let strains = [("curvature", given.curvature), ("shear_strain", given.shear_strain)];
-    let named = strains.iter().find(|strain| strain.1.is_some());
-    match (given.energy_release_rate, named) {
-        (Some(rate), None) => {
-            needed(Some(rate), "energy_release_rate", path, faults)?;
-            let energies: Vec<f64> = thickness.of_sections.iter().map(|t| rate * t).collect();
-            Some(match given.formula.get_or_insert(CriticalFormula::Growth) {
+    let sections = &thickness.of_sections;
+    Some(match criterion? {
+        Criterion::Energy(rate) => {
+            let energies: Vec<f64> = sections.iter().map(|t| rate * t).collect();
+            match given.formula.get_or_insert(CriticalFormula::Growth) {
                 CriticalFormula::Energy => plate.critical_of_energy(&energies),
                 _ => plate.critical_of_growth(&energies),
-            })
+            }
         }
-        (Some(_), Some((key, _))) => {
-            faults
-                .error(
-                    path.key("energy_release_rate"),
-                    format!("`{key}` and `energy_release_rate` are both given"),
-                )
-                .hint("the one follows from the other: remove one of them");
-            None
+        Criterion::Strains([curvature, shear_strain]) => {
+            let shear = CriticalShear::Strain(shear_strain);
+            CriticalCurvatures(vec![CriticalCurvature { curvature, shear }; sections.len()])
         }
-        (None, None) => {
-            faults.error(path.clone(), "`curvature` or `shear_strain` is missing").hint(HINT);
-            None
-        }
-        (None, Some(_)) => {
-            // A strain that is not given never breaks a bond.
-            let [curvature, shear_strain] = strains.map(|(key, value)| match value {
-                Some(_) => needed(value, key, path, faults),
-                None => Some(f64::INFINITY),
-            });
-            let shear = CriticalShear::Strain(shear_strain?);
-            let strain = CriticalCurvature { curvature: curvature?, shear };
-            Some(CriticalCurvatures(vec![strain; thickness.of_sections.len()]))
-        }
-    }
+    })
 }
