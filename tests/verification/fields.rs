@@ -163,7 +163,7 @@ fn plate() -> Model {
     let fields = FieldName::PLATE.iter().map(|field| field.name());
     let answered = fields.chain(reactions).chain(along_lines).collect();
     let places = vec![json!({ "x": 0, "y": 2 }), json!({ "region": "left" })];
-    Model { case, places, answered, hidden: Vec::new() }
+    Model { case, places, answered, hidden: vec!["damage"] }
 }
 
 fn solid(name: &str) -> Model {

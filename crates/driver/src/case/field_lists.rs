@@ -36,7 +36,7 @@ impl FieldName {
     ];
 
     /// The fields that every point of a plate in bending has, in the order of tables. Stresses are those on the side of +w; on the
-    /// other side they are opposite. `damage` is of plates that break.
+    /// other side they are opposite. `damage` is zero where none break.
     pub const PLATE: [Self; 23] = [
         Self::W,
         Self::PhiX,

@@ -143,7 +143,8 @@ fn write_maps(folder: &Path, scene: &PlateScene, result: &PlateResult, title: &s
     let blocks = Blocks::drawn(scene);
     let corners: Vec<[[f64; 2]; 4]> = blocks.corners().collect();
     use FieldName::{Damage, MomentXx, MomentXy, MomentYy, W};
-    for field in [W, MomentXx, MomentYy, MomentXy, Damage] {
+    let drawn = [W, MomentXx, MomentYy, MomentXy, Damage];
+    for field in drawn.into_iter().filter(|field| result.fields().any(|own| own == *field)) {
         let Some(values) = result.values(field) else { continue };
         let Some([low, high]) = scan::extremes(&values) else { continue };
         let place = |point: usize| {

@@ -144,7 +144,8 @@ impl PlateResult {
         }
         let sum = |of: &dyn Fn(usize) -> f64| weights.iter().map(|&(p, w)| w * of(p as usize)).sum::<f64>();
         if field == FieldName::Damage {
-            return (!self.damage.is_empty()).then(|| sum(&|p| self.damage[p]));
+            // Zero where nothing breaks.
+            return Some(sum(&|p| self.damage.get(p).copied().unwrap_or(0.0)));
         }
         let recovered = self.recovered.as_ref()?;
         match field.about().origin {

@@ -6,7 +6,7 @@ use super::line_probe::{self, OnLine};
 use super::restraints::Restraints;
 use super::site::Site;
 use crate::case::{FieldName, Probe, Reduction};
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
 use crate::scene::words;
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, W};
@@ -103,13 +103,6 @@ pub(super) fn probes(
         let position = probe.at.x.zip(probe.at.y).map(|(x, y)| [x, y]);
         Some(PlateProbe { name: probe.name.clone(), field: probe.field, quantity, place, position })
     };
-    for (k, probe) in site.case.probes.iter().enumerate() {
-        if probe.field == FieldName::Damage && site.case.fracture.is_none() {
-            faults
-                .error(root("probes").index(k).key("field"), "`damage` is of plates that break")
-                .hint("give `fracture`, or ask for another field");
-        }
-    }
     crate::scene::probes::probes(site.case, resolve, faults)
 }
 

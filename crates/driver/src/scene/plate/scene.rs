@@ -221,8 +221,7 @@ fn expectations(
 ) -> Vec<Expectation<BodyComparison>> {
     let states: Vec<&str> = states.iter().map(|state| state.name.as_str()).collect();
     let is_field = |field: FieldName, path: &JsonPath, faults: &mut Faults| {
-        let is_there =
-            FieldName::PLATE.contains(&field) && (field != FieldName::Damage || case.fracture.is_some());
+        let is_there = FieldName::PLATE.contains(&field);
         if !is_there {
             faults
                 .error(path.key("field"), format!("`{}` is no field of all points of a plate", field.name()))
