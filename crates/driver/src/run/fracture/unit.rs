@@ -166,7 +166,9 @@ impl<const D: usize> Unit<D> {
     /// Why there is no equilibrium, after the last one: the loads act on what moves without strain, by what the inverse says of it or as
     /// it moves beyond all measure, or it is not known.
     fn unborne_or_lost(&mut self, system: &System<D>, before: &[f64]) -> Outcome {
-        let is_far = norm(&self.u) > FAR * norm(before);
+        // Of the intact body there is no last one.
+        let last = norm(before);
+        let is_far = last > 0.0 && norm(&self.u) > FAR * last;
         match is_far || self.work.yields(system, &mut self.inverse, (&self.all, before)) {
             true => Outcome::Unborne,
             false => Outcome::Lost,

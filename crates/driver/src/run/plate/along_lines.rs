@@ -4,7 +4,7 @@
 //! the same work with the deflection alone, `V = r − dt/ds`, and leaves a force `± t` at every end: that of a corner. Of points,
 //! the moment T of one is that of two forces `± T/(2h)` on those beside it, or `± T/h` at an end of the line, so that the forces
 //! along all lines and at their ends have the resultant of the reactions. Where a line ends at a clamp across it the plate does not
-//! twist there, and the moment of its last point is one that the clamp bends the plate with. At a corner the force of both lines is known, and how
+//! twist, and the moment of its last point is what the clamp bends the plate with. At a corner the force of both lines is known, and how
 //! much of it is along them is continued from inside.
 
 use crate::scene::PlateScene;
