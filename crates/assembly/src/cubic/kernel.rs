@@ -124,6 +124,6 @@ fn group<S: Simd, const X: bool, const Y: bool, const Z: bool>(
 
 /// Neighbouring entries in a register.
 #[inline(always)]
-fn load<S: Simd>(_: S, plane: &[f32], at: usize) -> S::f32s {
+pub(super) fn load<S: Simd>(_: S, plane: &[f32], at: usize) -> S::f32s {
     bytemuck::pod_read_unaligned(bytemuck::cast_slice(&plane[at..at + S::F32_LANES]))
 }

@@ -102,7 +102,7 @@ impl CubicLevels {
         }
         let border = |bonds| {
             let at = |cell: Cell| cells.grid.at([0, 1, 2].map(|k| i64::from(cell[k] - first[k]))) as u32;
-            Border::new(bonds, unit, &|point| {
+            Border::new((bonds, unit), &cells.grid, &|point| {
                 let cell = solid.lattice.cell(point as usize);
                 let (real, signs) = solid.mirrors.image(cell);
                 (at(cell), at(real), signs)

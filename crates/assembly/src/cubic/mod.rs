@@ -14,6 +14,7 @@
 
 mod across;
 mod border;
+mod border_rows;
 mod build;
 mod cells;
 mod coarsest;

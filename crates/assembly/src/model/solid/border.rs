@@ -65,6 +65,8 @@ struct Builder<'a> {
     corners: HashMap<Asked, Option<u32>>,
     /// By offset, run and modulus.
     kinds: HashMap<(usize, [usize; 2], u64), usize>,
+    /// What a bond hangs on.
+    hung: Vec<u32>,
 }
 
 impl Border {
@@ -87,6 +89,7 @@ impl Border {
             rows: HashMap::new(),
             corners: HashMap::new(),
             kinds: HashMap::new(),
+            hung: Vec::new(),
         };
         let (mut lost, mut lacks) = (HashSet::new(), Vec::new());
         let gaps = for_each_part(&Nodes::new(cells()), near, &mut |offset, run, part| {
@@ -131,7 +134,8 @@ impl Builder<'_> {
     /// thin to tell how it moves.
     fn add(&mut self, offset: usize, run: &Run, part: f64) -> Option<()> {
         let ends = [0, 1].map(|side| run.end(side, 3));
-        let hung = [self.hung(&ends[0])?, self.hung(&ends[1])?].concat();
+        self.hung.clear();
+        ends.iter().try_for_each(|end| self.hang(end))?;
         let whole =
             BondGeometry { xi: self.nodes.cells.lattice.vector(self.law.neighbourhood.offsets[offset]) };
         let short = BondGeometry { xi: whole.xi.map(|x| run.share() * x) };
@@ -151,7 +155,7 @@ impl Builder<'_> {
                 moduli: [part * weight * modulus],
             })
         });
-        self.bonds.push(kind, hung);
+        self.bonds.push(kind, self.hung.iter().copied());
         Some(())
     }
 
@@ -191,22 +195,25 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// The point or the nodes that an end hangs on; none where the body is too thin to tell.
-    fn hung(&mut self, end: &End) -> Option<Vec<u32>> {
+    /// Adds the point or the nodes that an end hangs on to those of the bond; none where the body is too thin to tell.
+    fn hang(&mut self, end: &End) -> Option<()> {
         let nodes = &self.nodes;
         let (at, from) = match *end {
-            End::Point(cell) => return Some(vec![nodes.cells.number(cell)?]),
+            End::Point(cell) => {
+                self.hung.push(nodes.cells.number(cell)?);
+                return Some(());
+            }
             End::Border(at, from) => (at, from),
         };
-        let (bonds, known) = (&mut self.bonds, &mut self.corners);
-        let node = |(corner, _): (Cell, f64)| {
+        for (corner, _) in around(at) {
             let asked = (corner, (!nodes.cells.cuts.is_empty()).then_some(from));
-            *known.entry(asked).or_insert_with(|| {
+            let node = *self.corners.entry(asked).or_insert_with(|| {
                 let shares = nodes.corner(corner, from)?;
                 let numbered = |(cell, share)| Some((nodes.cells.number(cell)?, share));
-                Some(bonds.add_node(shares.into_iter().map(numbered).collect::<Option<_>>()?))
-            })
-        };
-        around(at).map(node).collect()
+                Some(self.bonds.add_node(shares.into_iter().map(numbered).collect::<Option<_>>()?))
+            });
+            self.hung.push(node?);
+        }
+        Some(())
     }
 }

@@ -1,7 +1,6 @@
 //! Bonds between points and nodes that break one by one. They keep their numbers.
 
 use super::{NodedBonds, PlacedBond, PlacedBonds};
-use peristat_vector::Real;
 use std::collections::HashMap;
 
 /// What moves the bonds, by their numbers.
@@ -21,14 +20,12 @@ impl BondPoints {
     }
 }
 
-impl<const D: usize, const M: usize, T: Real> NodedBonds<D, M, T> {
+impl<const D: usize, const M: usize> NodedBonds<D, M> {
     /// Whether a bond has broken.
     pub fn is_broken(&self, bond: usize) -> bool {
-        self.factors.get(bond).is_some_and(|factor| *factor == T::default())
+        self.factors.get(bond).is_some_and(|factor| *factor == 0.0)
     }
-}
 
-impl<const D: usize, const M: usize> NodedBonds<D, M> {
     /// Removes bonds by their numbers, which the others keep.
     pub fn break_bonds(&mut self, bonds: &[usize]) {
         if self.factors.is_empty() && !bonds.is_empty() {

@@ -3,7 +3,6 @@
 use super::super::Place;
 use super::stretches::Stretches;
 use super::{NodedBonds, NodedKind};
-use peristat_vector::Real;
 use std::collections::HashMap;
 
 /// Bonds that are found one by one, and their nodes.
@@ -41,7 +40,7 @@ impl<const D: usize, const M: usize> NodedBondsBuilder<D, M> {
     }
 
     /// The bonds, in the order of their kinds and of what they hang on.
-    pub fn build<T: Real>(self) -> NodedBonds<D, M, T> {
+    pub fn build(self) -> NodedBonds<D, M> {
         let Self { points, nodes, kinds, hung } = self;
         // Nodes that move alike with neighbouring points follow each other: those of each side of the body by themselves.
         let mut order: Vec<u32> = (0..nodes.len() as u32).collect();

@@ -14,7 +14,6 @@ pub use build::NodedBondsBuilder;
 
 use super::{BlockMatrix, ConnectedParts, Place, PlacedBond, PlacedBonds, Survey, Term};
 use crate::bonds::{Mat, Rows};
-use peristat_vector::Real;
 use std::array::from_fn;
 use stretches::{Stretch, Stretches};
 
@@ -37,37 +36,33 @@ impl<const D: usize, const M: usize> NodedKind<D, M> {
 }
 
 /// Coefficients of the relative displacement of the ends, and moduli.
-type Law<const D: usize, const M: usize, T> = ([[T; D]; M], [T; M]);
+type Law<const D: usize, const M: usize> = (Mat<M, D>, [f64; M]);
 
-/// Energy of bonds between points and nodes, `E = Σ ½ s·diag(moduli)·s`, in numbers of 64 bits, or of 32.
+/// Energy of bonds between points and nodes, `E = Σ ½ s·diag(moduli)·s`.
 #[derive(Clone, Debug)]
-pub struct NodedBonds<const D: usize, const M: usize, T = f64> {
+pub struct NodedBonds<const D: usize, const M: usize> {
     points: usize,
     /// Per kind of node: shares of its points.
-    node_shares: Vec<Vec<T>>,
+    node_shares: Vec<Vec<f64>>,
     /// The nodes: their own numbers, then those of their points.
     nodes: Stretches,
     node_count: usize,
     /// Per kind of bond: shares of the nodes in either end.
-    shares: Vec<[Vec<T>; 2]>,
-    rows: Vec<Law<D, M, T>>,
+    shares: Vec<[Vec<f64>; 2]>,
+    rows: Vec<Law<D, M>>,
     bonds: Stretches,
     /// Per bond: one, or zero where it has broken; empty as long as none has.
-    factors: Vec<T>,
+    factors: Vec<f64>,
 }
 
-impl<const D: usize, const M: usize, T: Real> NodedBonds<D, M, T> {
+impl<const D: usize, const M: usize> NodedBonds<D, M> {
     fn new(
         points: usize,
         (node_shares, nodes): (Vec<Vec<f64>>, Stretches),
         (kinds, bonds): (Vec<NodedKind<D, M>>, Stretches),
         node_count: usize,
     ) -> Self {
-        let of = |shares: &Vec<f64>| -> Vec<T> { shares.iter().map(|share| T::of(*share)).collect() };
-        let shares = kinds.iter().map(|kind| kind.shares.each_ref().map(of)).collect();
-        let law = |kind: &NodedKind<D, M>| (kind.rows.map(|row| row.map(T::of)), kind.moduli.map(T::of));
-        let rows = kinds.iter().map(law).collect();
-        let node_shares = node_shares.iter().map(of).collect();
+        let (shares, rows) = kinds.into_iter().map(|kind| (kind.shares, (kind.rows, kind.moduli))).unzip();
         Self { points, node_shares, nodes, node_count, shares, rows, bonds, factors: Vec::new() }
     }
 
@@ -75,9 +70,7 @@ impl<const D: usize, const M: usize, T: Real> NodedBonds<D, M, T> {
     pub fn count(&self) -> usize {
         self.bonds.all().iter().map(|stretch| stretch.count as usize).sum()
     }
-}
 
-impl<const D: usize, const M: usize> NodedBonds<D, M> {
     /// About the number of pairs of points that bonds couple, a point and itself among them.
     pub fn pairs(&self) -> usize {
         let widest = self.node_shares.iter().map(Vec::len).max().unwrap_or(1);
@@ -104,29 +97,14 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
         });
     }
 
-    /// The same bonds in 32 bits, of points by other numbers, below `points`, their moduli times a factor.
-    pub fn renumbered(
-        &self,
-        points: usize,
-        number: &dyn Fn(u32) -> u32,
-        factor: f64,
-    ) -> NodedBonds<D, M, f32> {
-        let mut builder = NodedBondsBuilder::new(points);
-        for place in self.places() {
-            builder.add_node(place.iter().map(|(point, share)| (number(*point), *share)).collect());
-        }
-        for (shares, (rows, moduli)) in self.shares.iter().zip(&self.rows) {
-            let moduli = moduli.map(|modulus| factor * modulus);
-            builder.add_kind(NodedKind { shares: shares.clone(), rows: *rows, moduli });
-        }
-        self.for_each(|kind, [first, second]| {
-            let ends = [first, second].into_iter().zip(&self.shares[kind]);
-            let of = |(ids, shares): (&[u32], &Vec<f64>)| -> Vec<u32> {
-                ids.iter().map(|id| if shares.is_empty() { number(*id) } else { *id }).collect()
-            };
-            builder.push(kind, ends.flat_map(of));
-        });
-        builder.build()
+    /// The kinds, by their numbers.
+    pub fn kinds(&self) -> impl Iterator<Item = NodedKind<D, M>> {
+        let kinds = self.shares.iter().zip(&self.rows);
+        kinds.map(|(shares, (rows, moduli))| NodedKind {
+            shares: shares.clone(),
+            rows: *rows,
+            moduli: *moduli,
+        })
     }
 
     /// The points that bonds move with, ascending.
@@ -142,7 +120,7 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
     }
 
     /// Points and shares of all nodes.
-    fn places(&self) -> Vec<Place> {
+    pub fn places(&self) -> Vec<Place> {
         let mut places = vec![Place::new(); self.node_count];
         for stretch in self.nodes.all() {
             let shares = &self.node_shares[stretch.kind as usize];
@@ -156,7 +134,7 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
     }
 
     /// Calls `visit` with every bond that there is: its kind and the points or nodes at its ends.
-    fn for_each(&self, mut visit: impl FnMut(usize, [&[u32]; 2])) {
+    pub fn for_each(&self, mut visit: impl FnMut(usize, [&[u32]; 2])) {
         self.for_each_numbered(|_, kind, ends| visit(kind, ends));
     }
 
@@ -298,7 +276,31 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
     }
 
     fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
-        self.written_out(|bonds| bonds.add_diagonal(blocks));
+        let places = self.places();
+        let mut members: Place = Vec::new();
+        self.for_each(|kind, ends| {
+            members.clear();
+            for ((ids, shares), sign) in ends.into_iter().zip(&self.shares[kind]).zip([-1.0, 1.0]) {
+                if shares.is_empty() {
+                    members.push((ids[0], sign));
+                }
+                for (id, share) in ids.iter().zip(shares) {
+                    members
+                        .extend(places[*id as usize].iter().map(|(point, of)| (*point, sign * share * of)));
+                }
+            }
+            members.sort_unstable_by_key(|member| member.0);
+            let (rows, moduli) = &self.rows[kind];
+            for same in members.chunk_by(|a, b| a.0 == b.0) {
+                let share: f64 = same.iter().map(|member| member.1).sum();
+                let block = &mut blocks[same[0].0 as usize];
+                for (row, modulus) in rows.iter().zip(moduli) {
+                    (0..D * D).for_each(|k| {
+                        block[k / D][k % D] += share * share * modulus * row[k / D] * row[k % D]
+                    });
+                }
+            }
+        });
     }
 
     fn elements(&self) -> usize {

@@ -47,23 +47,3 @@ fn forces_and_energies_are_those_of_bonds_one_by_one() {
     // 131 measured; 151 bonds and 90 nodes, one by one, are more than 500.
     assert!(bonds.stored_factors() < 160, "{}", bonds.stored_factors());
 }
-
-#[test]
-fn bonds_of_32_bits_are_the_same_by_other_numbers() {
-    let points = 180;
-    let (bonds, u) = (bonds(points), arbitrary(540));
-    let mut expected = vec![0.0; 3 * points];
-    bonds.add_force(&u, &mut expected);
-    let members = bonds.members();
-    let n = members.len();
-    let number = |point: u32| members.iter().position(|m| *m == point).expect("a member") as u32;
-    let short = bonds.renumbered(n, &number, 2.0);
-    let of = |c: usize, k: usize| c * points + members[k] as usize;
-    let own: Vec<f32> = (0..3 * n).map(|i| u[of(i / n, i % n)] as f32).collect();
-    let mut found = vec![0.0; 3 * n];
-    short.add_forces(&own, &mut found);
-    for (i, f) in found.iter().enumerate() {
-        let e = 2.0 * expected[of(i / n, i % n)];
-        assert!((f64::from(*f) - e).abs() < 1e-5, "{f} {e}");
-    }
-}

@@ -13,18 +13,20 @@ const SINGULAR: f64 = 1e-10;
 
 /// Adds a fault for the points whose own stiffness is singular and that conditions do not hold, one for each reason.
 pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, faults: &mut Faults) {
-    let mut blocks = vec![[[0.0; D]; D]; model.points()];
-    model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
     let held = held_points(&scene.conditions, D);
-    let is_loose = |point: &usize| {
-        let (a, b, d) = in_plane(&blocks[*point]);
-        let trace = a + d;
-        // A single bond that resists turning holds its point.
-        let is_held = D > 2 && trace > 0.0;
-        !is_held && a * d - b * b <= SINGULAR * trace * trace && !held.contains(&(*point as u32))
-    };
+    let mut blocks = vec![[[0.0; D]; D]; model.points()];
+    let mut loose: Vec<usize> =
+        scene.real_points().filter(|point| !held.contains(&(*point as u32))).collect();
+    for term in model.terms() {
+        // What holds a point without the other terms holds it with them.
+        if loose.is_empty() {
+            return;
+        }
+        term.add_diagonal(&mut blocks);
+        loose.retain(|point| is_singular(&blocks[*point]));
+    }
     let (on_lines, without): (Vec<usize>, Vec<usize>) =
-        scene.real_points().filter(is_loose).partition(|&point| trace(&blocks[point]) > 0.0);
+        loose.into_iter().partition(|&point| trace(&blocks[point]) > 0.0);
     let cut = !scene.case.cracks.is_empty();
     let path = if cut { root("cracks") } else { body::path(&scene.case) };
     let mut complain = |points: &[usize], why: &str, of_cracks: &str| {
@@ -47,6 +49,15 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
         "bonds on one line only",
         "cracks cut what else would hold it: move them away from the point, or use a smaller spacing",
     );
+}
+
+/// Whether a point with a stiffness can move without any force.
+fn is_singular<const D: usize>(block: &[[f64; D]; D]) -> bool {
+    let (a, b, d) = in_plane(block);
+    let trace = a + d;
+    // A single bond that resists turning holds its point.
+    let is_held = D > 2 && trace > 0.0;
+    !is_held && a * d - b * b <= SINGULAR * trace * trace
 }
 
 /// Twice the mean stiffness of a point along two axes.

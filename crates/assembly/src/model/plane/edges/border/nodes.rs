@@ -134,7 +134,7 @@ pub(in crate::model) fn around(at: [f64; 3]) -> impl Iterator<Item = (Cell, f64)
     const SAME: f64 = 1e-9;
     let low = at.map(|x| (x + SAME).floor());
     let part = [0, 1, 2].map(|k| Some(at[k] - low[k]).filter(|f| *f > SAME).unwrap_or(0.0));
-    corners(3, [0, 1]).filter_map(move |step| {
+    (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2]).filter_map(move |step| {
         let along = |k: usize| if step[k] == 0 { 1.0 - part[k] } else { part[k] };
         let share = along(0) * along(1) * along(2);
         (share > 0.0).then_some(([0, 1, 2].map(|k| low[k] as i32 + step[k]), share))
