@@ -8,6 +8,7 @@
 
 mod axisymmetric;
 mod beams;
+mod bending;
 mod bonds;
 mod breaking;
 mod fields;
@@ -41,6 +42,7 @@ fn extremes() -> Vec<Row> {
         orthotropic::rows(),
         axisymmetric::rows(),
         shells::rows(),
+        bending::rows(),
     ]
     .concat()
 }

@@ -84,6 +84,7 @@ mod plate_fracture;
 mod plate_heat;
 mod plate_reactions;
 mod plate_regions;
+mod plate_supports;
 mod plates;
 mod plausibility;
 mod polygons;

@@ -31,7 +31,7 @@ impl Prescribed {
         found
             .map_err(|reason| {
                 let hint = match given.knows_load_factor() && factor.is_none() {
-                    true => "stiffness and supports of plates do not know it; else give \"steps\": { \"load_factors\": [0.5, 1] }: load cases, and bodies that break or soften, grow in proportion",
+                    true => "stiffness does not know it; else give \"steps\": { \"load_factors\": [0.5, 1] }: load cases, and bodies that break or soften, grow in proportion",
                     false => "for example `1e-3*x - 2*y^2`, in x and y, and z of a solid",
                 };
                 faults.error(path.clone(), reason).hint(hint);

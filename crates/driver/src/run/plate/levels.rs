@@ -3,7 +3,7 @@
 use crate::run::{Coarser, CoarserModels};
 use crate::scene::PlateScene;
 use peristat_assembly::condition::{Equation, Unknown};
-use peristat_assembly::model::plate_bending::{PlateBending, PlateNodes, PlateTransfer};
+use peristat_assembly::model::plate_bending::{PlateBending, PlateNodes, PlateTransfer, W};
 use peristat_assembly::stiffness::{Spring, Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 use std::collections::{BTreeMap, BTreeSet};
@@ -114,10 +114,12 @@ impl Conditions {
     fn coarser_springs(&self, transfer: &PlateTransfer) -> Vec<Spring> {
         let mut sums: BTreeMap<(usize, usize), f64> = BTreeMap::new();
         for spring in &self.springs {
-            let [(component, _), _] = spring.shares;
-            let stiffness = spring.stiffness;
-            for (point, share) in transfer.shares(spring.point) {
-                *sums.entry((component, point)).or_default() += share * stiffness;
+            let turns = spring.shares[0].0 != W;
+            for (component, part) in spring.shares.into_iter().filter(|own| turns || own.0 == W) {
+                let stiffness = part * part * spring.stiffness;
+                for (point, share) in transfer.shares(spring.point).filter(|_| stiffness > 0.0) {
+                    *sums.entry((component, point)).or_default() += share * stiffness;
+                }
             }
         }
         let spring = |((component, point), stiffness)| Spring::on(component, point, stiffness);

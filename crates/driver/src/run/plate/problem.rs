@@ -47,6 +47,18 @@ impl Problem<3> for PlateScene {
         state.motion_factor
     }
 
+    fn motions(&self, state: usize) -> Option<Vec<f64>> {
+        if self.by_step.iter().all(Vec::is_empty) {
+            return None;
+        }
+        let factor = self.states[state].load_factor;
+        let of = |(equation, by_step): (&Equation, &Vec<f64>)| match by_step.get(state) {
+            Some(value) => *value,
+            None => factor * equation.value,
+        };
+        Some(self.equations.iter().zip(&self.by_step).map(of).collect())
+    }
+
     fn spread(&self) -> Spread {
         let nodes = self.plate.nodes();
         let is_factored = self.solver == Solver::Auto && nodes.points() <= MOST_FACTORED;

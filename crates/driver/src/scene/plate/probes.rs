@@ -191,7 +191,8 @@ fn terms(component: usize, number: usize, held: &Restraints, share: &dyn Fn(u32)
         let own = terms.iter().filter(|(unknown, _)| unknown.component == component);
         (k, share * own.map(|(_, c)| c).sum::<f64>())
     };
-    let resists = |k: &usize| held.springs[*k].single().is_some_and(|(own, _)| own == component);
+    let resists =
+        |k: &usize| held.springs[*k].shares.iter().any(|(own, part)| *own == component && *part != 0.0);
     let springs = support.springs.clone().filter(resists);
     let springs = springs.map(|k| (k, share(held.springs[k].point as u32)));
     let acts = |part: &(usize, f64)| part.1 != 0.0;

@@ -37,17 +37,22 @@ pub(super) struct Restraints {
     /// The points that each of them holds.
     pub(super) points: Vec<Vec<u32>>,
     pub(super) equations: Vec<Equation>,
+    /// Per equation what it prescribes in every load step, where that is not in proportion to the load factor; else nothing.
+    pub(super) by_step: Vec<Vec<f64>>,
     pub(super) springs: Vec<Spring>,
 }
 
 impl Restraints {
     /// Takes the equations and springs of one support.
-    pub(super) fn take(&mut self, place: Place, equations: Vec<Equation>, springs: Vec<Spring>) {
+    pub(super) fn take(&mut self, place: Place, equations: Vec<(Equation, Vec<f64>)>, springs: Vec<Spring>) {
         let Place { name, points, sides, is_mirror } = place;
         self.sides.push(sides);
         self.points.push(points);
         let [first, from] = [self.equations.len(), self.springs.len()];
-        self.equations.extend(equations);
+        for (equation, by_step) in equations {
+            self.equations.push(equation);
+            self.by_step.push(by_step);
+        }
         self.springs.extend(springs);
         let (equations, springs) = (first..self.equations.len(), from..self.springs.len());
         self.supports.push(PlateSupport { name, equations, springs, is_mirror });
@@ -55,6 +60,7 @@ impl Restraints {
 
     /// Whether something that it prescribes is not zero.
     pub(super) fn moves(&self) -> bool {
-        self.equations.iter().any(|equation| equation.value != 0.0)
+        let values = self.equations.iter().map(|equation| equation.value);
+        values.chain(self.by_step.iter().flatten().copied()).any(|value| value != 0.0)
     }
 }

@@ -59,6 +59,8 @@ pub struct PlateScene {
     pub held_lines: Vec<HeldLine>,
     /// Equations of the supports.
     pub equations: Vec<Equation>,
+    /// Per equation what it prescribes in every load step, where that is not in proportion to the load factor; else nothing.
+    pub by_step: Vec<Vec<f64>>,
     /// Springs of the supports, then those of the foundation.
     pub springs: Vec<Spring>,
     /// Load cases.
@@ -177,6 +179,7 @@ impl PlateScene {
             supports: held.supports,
             held_lines,
             equations: held.equations,
+            by_step: held.by_step,
             springs: held.springs,
             load_cases,
             fracture,

@@ -30,21 +30,26 @@ pub(super) fn springs(
             .hint("name an edge");
         return springs;
     }
-    if sides.iter().any(|side| !side.is_true) {
-        faults
-            .error(path, "`phi_n_spring` is for edges along x or y: the cells of this one are steps")
-            .hint("clamp such an edge, or hold `w` alone: these bound what lies between");
-        return springs;
-    }
-    let mut turned: BTreeMap<(usize, u32), f64> = BTreeMap::new();
     for side in sides {
-        let component = if side.segment.outward[0] != 0.0 { PHI_X } else { PHI_Y };
-        for point in side.segment.points {
-            *turned.entry((component, point)).or_default() += 0.5 * site.nodes.spacing() * stiffness;
-        }
+        let stiffness = 0.5 * site.nodes.spacing() * length(side) * stiffness;
+        let spring = |point: u32| match (side.is_true, side.segment.outward) {
+            (true, [0.0, _]) => Spring::on(PHI_Y, point as usize, stiffness),
+            (true, _) => Spring::on(PHI_X, point as usize, stiffness),
+            // The lengths of the steps of a round or slanted edge add up to its own.
+            (false, _) => {
+                let [x, y] = side.normal;
+                Spring { point: point as usize, shares: [(PHI_X, x), (PHI_Y, y)], stiffness }
+            }
+        };
+        springs.extend(side.segment.points.into_iter().filter(|_| stiffness > 0.0).map(spring));
     }
-    springs.extend(turned.into_iter().map(|((component, p), k)| Spring::on(component, p as usize, k)));
     springs
+}
+
+/// What a side of a cell has of the length of the edge that it stands for, over its own.
+fn length(side: &Side) -> f64 {
+    let [x, y] = side.segment.outward;
+    (x * side.normal[0] + y * side.normal[1]).max(0.0)
 }
 
 /// What points have of the length of an edge, or of a row inside of the plate; others count alike.
@@ -53,11 +58,7 @@ fn shares(site: &Site, points: &[u32], sides: &[Side]) -> BTreeMap<u32, f64> {
     let mut add = |[a, b]: [u32; 2], length: f64| {
         [a, b].into_iter().for_each(|p| *shares.entry(p).or_default() += 0.5 * length);
     };
-    let of_side = |side: &Side| {
-        let [x, y] = side.segment.outward;
-        (x * side.normal[0] + y * side.normal[1]).max(0.0)
-    };
-    sides.iter().for_each(|side| add(side.segment.points, of_side(side)));
+    sides.iter().for_each(|side| add(side.segment.points, length(side)));
     if sides.is_empty() {
         site.steps_of_line(points).into_iter().for_each(|(_, step)| add(step, 1.0));
     }

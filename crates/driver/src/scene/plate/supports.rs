@@ -8,7 +8,7 @@ use super::{support_keys, support_springs, symmetry};
 use crate::case::{Amount, Support};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::body::site::place_of_point;
-use crate::scene::prescribed::Prescribed;
+use crate::scene::prescribed::Motion;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, W};
 use std::collections::BTreeMap;
@@ -48,7 +48,8 @@ struct OneSupport<'a> {
     site: &'a Site<'a>,
     path: &'a JsonPath,
     support: &'a Support,
-    equations: Vec<Equation>,
+    /// With what they prescribe in every load step, where that is not in proportion to the load factor.
+    equations: Vec<(Equation, Vec<f64>)>,
     /// Points of steps that are clamped by what is deeper in the plate.
     followed: BTreeMap<u32, Followed>,
 }
@@ -86,7 +87,7 @@ impl OneSupport<'_> {
                 let mut terms = vec![(unknown(point), 1.0)];
                 terms.extend(shares.iter().map(|&(p, share)| (unknown(p), -part * share)));
                 let value = if component == W { w * (1.0 - part) } else { 0.0 };
-                self.equations.push(Equation { terms, value, origin: self.path.to_string() });
+                self.equations.push((Equation { terms, value, origin: self.path.to_string() }, Vec::new()));
             }
         }
     }
@@ -96,26 +97,32 @@ impl OneSupport<'_> {
         points.iter().copied().filter(|point| !self.followed.contains_key(point)).collect()
     }
 
-    fn prescribed(&self, key: &str, given: Option<&Amount>, faults: &mut Faults) -> Option<Prescribed> {
-        Prescribed::new(given?, (2, None), &self.path.key(key), faults)
+    fn motion(&self, key: &str, given: Option<&Amount>, faults: &mut Faults) -> Option<Motion> {
+        Motion::new(given?, 2, self.site.case.steps.as_ref(), &self.path.key(key), faults)
     }
 
-    fn value(&self, key: &str, of: &Prescribed, point: u32, faults: &mut Faults) -> f64 {
+    /// What a point moves by, at a factor of one or in every load step.
+    fn values(&self, key: &str, of: &Motion, point: u32, faults: &mut Faults) -> Vec<f64> {
         let [x, y] = self.site.nodes.place(point as usize);
-        of.at([x, y, 0.0]).unwrap_or_else(|reason| {
+        of.values([x, y, 0.0], None).unwrap_or_else(|reason| {
             faults.error(self.path.key(key), reason);
-            0.0
+            vec![0.0]
         })
     }
 
-    fn push(&mut self, key: &str, terms: Vec<(Unknown, f64)>, value: f64) {
-        self.equations.push(Equation { terms, value, origin: self.path.key(key).to_string() });
+    /// Adds an equation with its value at a factor of one, or those in all load steps.
+    fn push(&mut self, key: &str, terms: Vec<(Unknown, f64)>, motion: &Motion, values: Vec<f64>) {
+        // The last step stands for all where structure is all that counts.
+        let value = values.last().copied().unwrap_or(0.0);
+        let by_step = if matches!(motion, Motion::BySteps(_)) { values } else { Vec::new() };
+        let origin = self.path.key(key).to_string();
+        self.equations.push((Equation { terms, value, origin }, by_step));
     }
 
     /// `w` at points; on stairs it is that of the true border, `w + φ·d`: were the steps themselves held, they would clamp a
     /// thin plate however fine they are.
     fn hold_deflection(&mut self, points: &[u32], sides: &[Side], faults: &mut Faults) {
-        let Some(given) = self.prescribed("w", self.support.w.as_ref(), faults) else { return };
+        let Some(given) = self.motion("w", self.support.w.as_ref(), faults) else { return };
         let mut ways: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
         if !self.clamps() {
             for point in sides.iter().filter(|side| !side.is_true).flat_map(|side| side.segment.points) {
@@ -134,8 +141,8 @@ impl OneSupport<'_> {
                 let turns = [PHI_X, PHI_Y].into_iter().zip(way);
                 terms.extend(turns.filter(|turn| *turn.1 != 0.0).map(|(c, d)| (unknown(c), *d)));
             }
-            let value = self.value("w", &given, point, faults);
-            self.push("w", terms, value);
+            let values = self.values("w", &given, point, faults);
+            self.push("w", terms, &given, values);
         }
     }
 
@@ -144,10 +151,10 @@ impl OneSupport<'_> {
         let along_axes =
             [("phi_x", self.support.phi_x.as_ref(), PHI_X), ("phi_y", self.support.phi_y.as_ref(), PHI_Y)];
         for (key, given, component) in along_axes {
-            let Some(given) = self.prescribed(key, given, faults) else { continue };
+            let Some(given) = self.motion(key, given, faults) else { continue };
             for point in self.held_themselves(points) {
-                let value = self.value(key, &given, point, faults);
-                self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], value);
+                let values = self.values(key, &given, point, faults);
+                self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], &given, values);
             }
         }
         let [normal, tangential] = [self.support.phi_n.as_ref(), self.support.phi_t.as_ref()];
@@ -190,19 +197,20 @@ impl OneSupport<'_> {
         sides: &[Side],
         faults: &mut Faults,
     ) {
-        let Some(given) = self.prescribed(key, given, faults) else { return };
-        let mut held: BTreeMap<(usize, u32), f64> = BTreeMap::new();
+        let Some(given) = self.motion(key, given, faults) else { return };
+        let mut held: BTreeMap<(usize, u32), Vec<f64>> = BTreeMap::new();
         for side in sides {
             let direction = direction(side.segment.outward);
             let component = if direction[0] != 0.0 { PHI_X } else { PHI_Y };
             for point in side.segment.points.into_iter().filter(|p| !self.followed.contains_key(p)) {
-                let value = (direction[0] + direction[1]) * self.value(key, &given, point, faults);
-                held.entry((component, point)).or_insert(value);
+                let sign = direction[0] + direction[1];
+                // −0 is no value of its own.
+                let values = self.values(key, &given, point, faults).into_iter().map(|v| sign * v + 0.0);
+                held.entry((component, point)).or_insert_with(|| values.collect());
             }
         }
-        for ((component, point), value) in held {
-            // −0 is no value of its own.
-            self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], value + 0.0);
+        for ((component, point), values) in held {
+            self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], &given, values);
         }
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn hold(site: &Site, held: &mut Restraints, faults: &mut Faults) {
             origin: path.to_string(),
         };
         let points = points_of(&sides);
-        let equations = points.iter().map(|&point| equation(point)).collect();
+        let equations = points.iter().map(|&point| (equation(point), Vec::new())).collect();
         let place = Place { name: format!("symmetry `{name}`"), points, sides, is_mirror: true };
         held.take(place, equations, Vec::new());
     }
