@@ -8,15 +8,28 @@ use peristat_assembly::stiffness::{Spring, Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Points that a direct factor takes in no time.
+/// Points of a plate that has no coarser one.
 const COARSEST: usize = 1500;
 /// Rows or columns of cells that a coarsest plate keeps.
 const NARROW: usize = 4;
+/// Points of a coarser plate that a direct factor takes in no time, and those where it has an odd number of cells along a side: the
+/// next one would be larger by half a cell, and a quarter more cycles be needed.
+const FEW: usize = 5000;
+const FEW_ODD: usize = 20_000;
+/// The finest plate has so many times the points of one that is factored.
+const FEWER: usize = 3;
 
 /// Whether a plate has no coarser one, or none that would help.
 pub(super) fn is_coarsest(nodes: &PlateNodes) -> bool {
     let cells = nodes.cells();
     nodes.points() <= COARSEST || cells.columns().len().min(cells.rows().len()) < 2 * NARROW
+}
+
+/// Whether a factor of a coarser plate costs little beside its finest one, which has so many points, and saves cycles.
+fn is_factored(nodes: &PlateNodes, finest: usize) -> bool {
+    let sides = [nodes.cells().columns().len(), nodes.cells().rows().len()];
+    let few = if sides.iter().any(|count| count % 2 == 1) { FEW_ODD } else { FEW };
+    nodes.points() <= few && FEWER * nodes.points() <= finest
 }
 
 /// The coarser levels of a plate; none if it is coarse itself.
@@ -33,7 +46,7 @@ pub(super) fn coarser(scene: &PlateScene) -> Option<Coarser<3>> {
     let (mut coarsest, mut held): (Option<PlateBending>, _) = (None, Conditions::of(scene));
     loop {
         let fine = coarsest.as_ref().unwrap_or(&scene.plate);
-        if is_coarsest(fine.nodes()) {
+        if is_coarsest(fine.nodes()) || is_factored(fine.nodes(), scene.plate.nodes().points()) {
             break;
         }
         let coarse = fine.coarser().ok()?;
