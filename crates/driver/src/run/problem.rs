@@ -63,6 +63,11 @@ pub trait Problem<const D: usize> {
         false
     }
 
+    /// Points of the coarsest level of a cycle, where its factor takes memory.
+    fn coarsest_points(&self) -> usize {
+        0
+    }
+
     /// Positions of the points, where they spread in a plane: their factor is ordered by them.
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
         None

@@ -12,24 +12,61 @@ use std::collections::{BTreeMap, BTreeSet};
 const COARSEST: usize = 1500;
 /// Rows or columns of cells that a coarsest plate keeps.
 const NARROW: usize = 4;
-/// Points of a coarser plate that a direct factor takes in no time, and those where it has an odd number of cells along a side: the
-/// next one would be larger by half a cell, and a quarter more cycles be needed.
+/// Points of a coarser plate that a direct factor takes in no time, and those where it is as large as the finest and has an odd number
+/// of cells along a side: the next one would be larger by half a cell, and a quarter more cycles be needed.
 const FEW: usize = 5000;
 const FEW_ODD: usize = 20_000;
 /// The finest plate has so many times the points of one that is factored.
 const FEWER: usize = 3;
 
-/// Whether a plate has no coarser one, or none that would help.
-pub(super) fn is_coarsest(nodes: &PlateNodes) -> bool {
-    let cells = nodes.cells();
-    nodes.points() <= COARSEST || cells.columns().len().min(cells.rows().len()) < 2 * NARROW
+/// How large a level is: columns and rows of cells, and points.
+#[derive(Clone, Copy)]
+struct Size {
+    sides: [usize; 2],
+    points: usize,
 }
 
-/// Whether a factor of a coarser plate costs little beside its finest one, which has so many points, and saves cycles.
-fn is_factored(nodes: &PlateNodes, finest: usize) -> bool {
-    let sides = [nodes.cells().columns().len(), nodes.cells().rows().len()];
-    let few = if sides.iter().any(|count| count % 2 == 1) { FEW_ODD } else { FEW };
-    nodes.points() <= few && FEWER * nodes.points() <= finest
+impl Size {
+    fn of(nodes: &PlateNodes) -> Self {
+        let sides = [nodes.cells().columns().len(), nodes.cells().rows().len()];
+        Self { sides, points: nodes.points() }
+    }
+
+    /// That of the level whose cells are so many times as large as those of this one.
+    fn coarser(self, times: usize) -> Self {
+        let sides = self.sides.map(|count| count.div_ceil(times));
+        let corners = |sides: [usize; 2]| -> usize { sides.iter().map(|count| count + 1).product() };
+        Self { sides, points: self.points * corners(sides) / corners(self.sides) }
+    }
+
+    /// Whether there is no coarser level, or none that would help.
+    fn is_coarsest(self) -> bool {
+        self.points <= COARSEST || self.sides.iter().any(|count| *count < 2 * NARROW)
+    }
+
+    /// Whether a factor of this level costs little beside the finest one, whose cells are so many times smaller, and saves cycles.
+    fn is_factored(self, finest: Self, times: usize) -> bool {
+        let is_as_large = self.sides.map(|count| times * count) == finest.sides;
+        let is_odd = self.sides.iter().any(|count| count % 2 == 1);
+        let few = if is_as_large && is_odd { FEW_ODD } else { FEW };
+        self.points <= few && FEWER * self.points <= finest.points
+    }
+}
+
+/// Whether a plate has no coarser one, or none that would help.
+pub(super) fn is_coarsest(nodes: &PlateNodes) -> bool {
+    Size::of(nodes).is_coarsest()
+}
+
+/// About the number of points of the coarsest level of a plate.
+pub(super) fn coarsest_points(nodes: &PlateNodes) -> usize {
+    let finest = Size::of(nodes);
+    let (mut level, mut times) = (finest, 1);
+    while !level.is_coarsest() && !level.is_factored(finest, times) {
+        times *= 2;
+        level = finest.coarser(times);
+    }
+    level.points
 }
 
 /// The coarser levels of a plate; none if it is coarse itself.
@@ -44,9 +81,11 @@ pub(super) fn coarser(scene: &PlateScene) -> Option<Coarser<3>> {
         beside_border: Vec::new(),
     };
     let (mut coarsest, mut held): (Option<PlateBending>, _) = (None, Conditions::of(scene));
+    let finest = Size::of(scene.plate.nodes());
     loop {
         let fine = coarsest.as_ref().unwrap_or(&scene.plate);
-        if is_coarsest(fine.nodes()) || is_factored(fine.nodes(), scene.plate.nodes().points()) {
+        let level = Size::of(fine.nodes());
+        if level.is_coarsest() || level.is_factored(finest, 1 << levels.systems.len()) {
             break;
         }
         let coarse = fine.coarser().ok()?;

@@ -68,6 +68,10 @@ impl Problem<3> for PlateScene {
         }
     }
 
+    fn coarsest_points(&self) -> usize {
+        levels::coarsest_points(self.plate.nodes())
+    }
+
     fn coarser(&self, _system: &System<3>) -> Option<Coarser<3>> {
         levels::coarser(self)
     }
