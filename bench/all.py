@@ -25,7 +25,7 @@ TABLES = {
     "python": (["bench/python.sh"], README, [*BAND, f"{ASSEMBLY}/model/timoshenko_beam", "crates/python/src"]),
     "direct": (["bench/direct.sh"], README, SPARSE),
     "plate": (["bench/plate.sh"], README, GRID),
-    "bending": (["bench/bending.sh"], README, [f"{ASSEMBLY}/model/plate_bending", f"{SOLVE}/multigrid*", f"{SOLVE}/hierarchy.rs"]),
+    "bending": (["bench/bending.sh"], README, [f"{ASSEMBLY}/model/plate_bending", f"{SOLVE}/multigrid*", f"{SOLVE}/hierarchy.rs", "crates/driver/src/run/plate/levels.rs"]),
     "solid": (["bench/solid.sh"], README, [*SOLID, f"{ASSEMBLY}/stiffness/grid_families", f"{ASSEMBLY}/stiffness/noded_bonds", f"{ASSEMBLY}/model/state_solid"]),
     "fracture": (["bench/fracture.sh"], README, [*SPARSE, f"{ASSEMBLY}/stiffness/grid_bonds", "crates/driver/src/run/fracture"]),
     "pareto": (["bench/pareto.sh"], README, [*BAND, *GRID]),

@@ -36,6 +36,13 @@ fn motions_of_supports_follow_the_load_factor() {
             assert!((found - expected).abs() < 1e-10 * expected.abs(), "{name}: {found} {expected}");
         }
     }
+    // One that follows the load factor and one in proportion agree in the corner that both hold, whatever the last factor is.
+    let mut corner = strip(json!("0.01*load_factor"), json!(0));
+    corner["supports"].as_array_mut().expect("supports").push(json!({ "at": { "x": 0, "y": 0 }, "w": 0.01 }));
+    corner["steps"] = json!({ "load_factors": factors });
+    let expected = in_steps(&corner, "wall").into_iter().zip(factors).map(|(wall, f)| wall / f);
+    let walls: Vec<f64> = expected.collect();
+    assert!((walls[0] / walls[2] - 1.0).abs() < 1e-9, "{walls:?}");
     // One motion that follows the load factor leaves the other in proportion.
     let mut both = strip(json!("0.01*load_factor^2"), json!(0.02));
     both["steps"] = json!({ "load_factors": factors });

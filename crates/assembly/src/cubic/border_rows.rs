@@ -131,7 +131,7 @@ impl BorderRows {
 }
 
 /// What tells rows apart: the sum of these over the bonds of a row, its kind, the part of the row in it, and how far the others
-/// are. Rows that had the same sum by chance would have forces that are wrong, which a preconditioner may have.
+/// are. Of a million rows two have the same sum by chance once in 1e7 bodies; their forces would be wrong then, and slow the cycle down.
 fn mark_of(kind: usize, role: usize, rows: &[u32]) -> u64 {
     const ODD: u64 = 0x9E37_79B9_7F4A_7C15;
     let mix = |mark: u64, x: u64| (mark ^ x).wrapping_mul(ODD).rotate_left(29);

@@ -166,7 +166,7 @@ impl Formula {
         let axis = |name: &String| match name.as_str() {
             LOAD_FACTOR if factor.is_some() => Ok(FACTOR),
             LOAD_FACTOR => Err(format!(
-                "`{LOAD_FACTOR}` is known to loads, and to motions of bodies, that `steps` follow"
+                "`{LOAD_FACTOR}` is known to loads, and to motions of bodies and plates, that `steps` follow"
             )),
             "x" | "y" | "z" if coordinates == 0 => Err(format!("`{name}` is nothing that this varies with")),
             "x" => Ok(0),

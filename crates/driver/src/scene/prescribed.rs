@@ -31,7 +31,7 @@ impl Prescribed {
         found
             .map_err(|reason| {
                 let hint = match given.knows_load_factor() && factor.is_none() {
-                    true => "stiffness does not know it; else give \"steps\": { \"load_factors\": [0.5, 1] }: load cases, and bodies that break or soften, grow in proportion",
+                    true => "stiffness does not know it; for loads and motions give \"steps\": { \"load_factors\": [0.5, 1] }: load cases, and bodies that break or soften, grow in proportion",
                     false => "for example `1e-3*x - 2*y^2`, in x and y, and z of a solid",
                 };
                 faults.error(path.clone(), reason).hint(hint);
@@ -112,6 +112,21 @@ impl Motion {
         match self {
             Self::Proportional(given) => given.is_zero(),
             Self::BySteps(steps) => steps.iter().all(|(_, given)| given.is_zero()),
+        }
+    }
+
+    /// Of the values of every step what stands for all of them where structure is all that counts: at a factor of one, by the last
+    /// step whose factor is not zero, so that motions which agree in every step do so, whether they are proportional or not.
+    pub(crate) fn standing(&self, values: &[f64]) -> f64 {
+        let last = values.last().copied().unwrap_or(0.0);
+        match self {
+            Self::Proportional(_) => last,
+            Self::BySteps(steps) => {
+                let mut steps = steps.iter().zip(values).rev();
+                steps
+                    .find(|((factor, _), _)| *factor != 0.0)
+                    .map_or(last, |((factor, _), value)| value / factor)
+            }
         }
     }
 

@@ -126,7 +126,7 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
     fn leave_out_broken(&self, sigma: &mut [Tile; M], number: usize, len: usize) {
         let factors = &self.factors[number..number + len];
         let numbers = sigma.iter_mut().flat_map(|sigma| sigma.iter_mut().zip(factors));
-        numbers.for_each(|(sigma, factor)| *sigma = *factor * *sigma);
+        numbers.for_each(|(sigma, factor)| *sigma *= *factor);
     }
 
     /// Sums of the values at the ends of some bonds of a stretch.
@@ -207,7 +207,7 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
                     for (difference, row) in difference.iter().zip(rows[m]) {
                         sigma.iter_mut().zip(difference).for_each(|(s, d)| *s += row * *d);
                     }
-                    sigma.iter_mut().for_each(|s| *s = moduli[m] * *s);
+                    sigma.iter_mut().for_each(|s| *s *= moduli[m]);
                 }
             },
         );

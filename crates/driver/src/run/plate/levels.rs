@@ -162,7 +162,8 @@ impl Conditions {
         Self { equations, springs: self.coarser_springs(transfer) }
     }
 
-    /// Springs shared by the coarse points around theirs; what a bed does to rotations at its edge is left to finer lattices.
+    /// Springs shared by the coarse points around theirs; what a bed does to rotations at its edge is left to
+    /// finer lattices, and one across a slanted edge resists along both axes.
     fn coarser_springs(&self, transfer: &PlateTransfer) -> Vec<Spring> {
         let mut sums: BTreeMap<(usize, usize), f64> = BTreeMap::new();
         for spring in &self.springs {

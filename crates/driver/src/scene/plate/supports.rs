@@ -112,8 +112,7 @@ impl OneSupport<'_> {
 
     /// Adds an equation with its value at a factor of one, or those in all load steps.
     fn push(&mut self, key: &str, terms: Vec<(Unknown, f64)>, motion: &Motion, values: Vec<f64>) {
-        // The last step stands for all where structure is all that counts.
-        let value = values.last().copied().unwrap_or(0.0);
+        let value = motion.standing(&values);
         let by_step = if matches!(motion, Motion::BySteps(_)) { values } else { Vec::new() };
         let origin = self.path.key(key).to_string();
         self.equations.push((Equation { terms, value, origin }, by_step));

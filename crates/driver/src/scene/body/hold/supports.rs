@@ -253,8 +253,7 @@ impl HeldSupport {
                 faults.error(self.path.key(*key), reason);
                 vec![vec![0.0]; held.points.len()]
             });
-            // The last step stands for all where structure is all that counts.
-            held.values = values.iter().map(|own| scale * own.last().copied().unwrap_or(0.0)).collect();
+            held.values = values.iter().map(|own| scale * motion.standing(own)).collect();
             if matches!(motion, Motion::BySteps(_)) {
                 let scaled = |own: Vec<f64>| own.into_iter().map(|value| scale * value).collect();
                 held.by_step = values.into_iter().map(scaled).collect();
