@@ -68,12 +68,12 @@ fn on_edges(site: &Site, (bending, thickness): (f64, f64), faults: &mut Faults) 
         let has_steps = sides.iter().any(|side| !side.is_true);
         if w.is_some() && turns && has_steps {
             faults
-                .warning(path.clone(), "the cells of this edge are steps: with a clamp on it deflections are off by 4, 1.5 and 1 per cent at 8, 20 and 30 cells along the radius")
+                .warning(path.clone(), "the cells of this edge are steps: with a clamp on it deflections are off by 4, 1.5 and 1 per cent at 8, 20 and 30 cells along the radius of a round one, by 10 and 3 at 8 and 20 of a slanted one, and by 7, 5 and 4 where it turns or moves by a formula")
                 .hint("use a small spacing");
         }
         if support.phi_n_spring.is_some_and(|stiffness| stiffness * h > STIFF * bending) && has_steps {
             faults
-                .warning(path.key("phi_n_spring"), "the cells of this edge are steps, and the spring resists more than the plate within one of them: deflections are up to 6, 4 and 2 per cent too small at 8, 20 and 40 cells along the radius")
+                .warning(path.key("phi_n_spring"), "the cells of this edge are steps, and the spring resists more than the plate within one of them: deflections are off by up to 16, 7 and 3 per cent at 8, 20 and 40 cells along the radius")
                 .hint("use a smaller spacing, or clamp the edge with `phi_n` and `phi_t`");
         }
     }
