@@ -164,7 +164,7 @@ fn operators_know_the_motions_of_every_step() {
 
 #[test]
 fn what_does_not_follow_steps_is_refused() {
-    let why = "is known to loads, and to motions of bodies, that `steps` follow";
+    let why = "is known to loads, and to motions of bodies and plates, that `steps` follow";
     assert!(refusal(&plate()).contains(why), "{}", refusal(&plate()));
     let mut cases = plate();
     cases["load_cases"] = json!([{ "name": "a", "loads": cases["loads"] }]);
