@@ -1,6 +1,6 @@
 //! The bonds on a border as rows of a matrix, `f_r = Σ_c B_rc v_c` with blocks `B = Σ k c_r c_c n nᵀ` of points and nodes.
 //!
-//! A bond on the border pulls at five points and nodes, and many bonds pull at the same ones: rows have a tenth of the work of
+//! A bond on the border pulls at five points and nodes, and many bonds pull at the same ones: rows have an eighth of the work of
 //! bonds one by one. Rows that follow each other along a flat face are alike, each a step on from the one before; they are stored
 //! once and evaluated many at a time.
 

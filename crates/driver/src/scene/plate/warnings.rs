@@ -8,7 +8,7 @@ use peristat_assembly::model::plate_bending::{PlateParameters, ShearLaw};
 
 /// Horizon ratios above this have bonds that pass over points.
 const NEXT: f64 = 1.5;
-/// Springs against the rotation across steps that are this much stiffer than a cell bends are told: half a per cent of the deflection.
+/// A warning tells of springs across steps with a `k h` above this part of the bending stiffness: deflections are half a per cent off there.
 const STIFF: f64 = 0.5;
 
 /// Adds the doubts.
