@@ -24,8 +24,8 @@ pub(crate) fn reads(bytes: &[u8]) -> bool {
     if drawing::read(bytes, 0.01).is_ok() {
         return true;
     }
-    let cloud = points::read(bytes).and_then(|points| points.cloud(1.0));
-    gmsh::read(bytes).is_ok() || cloud.is_ok()
+    let cloud = |axes: usize| points::read(bytes, axes).and_then(|points| points.cloud(1.0));
+    gmsh::read(bytes).is_ok() || cloud(2).is_ok() || cloud(3).is_ok()
 }
 
 /// Whether bytes are a solid that cells fill; every side of a cell on its border is then in one wall.

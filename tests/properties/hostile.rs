@@ -283,9 +283,10 @@ proptest! {
     fn a_mesh_and_a_list_of_points_with_any_bytes_changed_are_read_or_refused(seed: u64) {
         let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/plate");
         let read = |file: &str| fs::read(cases.join(file)).expect("a file");
-        let (mesh, list) = (read("bracket.msh"), read("scattered.csv"));
-        let _ = gmsh::read(&mangle(&mesh, seed));
-        let _ = points::read(&mangle(&list, seed)).and_then(|points| points.cloud(1.0));
+        let _ = gmsh::read(&mangle(&read("bracket.msh"), seed));
+        for (axes, list) in [(2, "scattered.csv"), (3, "../solid/scattered_bar.csv")] {
+            let _ = points::read(&mangle(&read(list), seed), axes).and_then(|points| points.cloud(1.0));
+        }
     }
 
     #[test]

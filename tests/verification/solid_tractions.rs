@@ -125,3 +125,45 @@ fn a_pressure_in_a_bore_has_the_force_of_its_shadow() {
     let largest = |of: &peristat::Solved| of.field(0, "ux").expect("ux").iter().copied().fold(0.0, f64::max);
     assert!(largest(&fixed) < 0.7 * largest(&found), "{} {}", largest(&fixed), largest(&found));
 }
+
+/// A contact of Hertz bears 2π a² p/3, in its middle; half of one that lies half beside the face acts at 3 a/8 from its middle:
+/// `∫ r² √(1 − r²) cos φ dr dφ` over half of the circle is π/8, and the force over it π/3.
+#[test]
+fn contacts_bear_the_force_of_their_pressure_on_every_face() {
+    use std::f64::consts::PI;
+    let (radius, peak, size) = (1.3, 7.0, [3.0, 4.0, 3.5]);
+    let force = 2.0 * PI * radius * radius * peak / 3.0;
+    let faces = ["left", "right", "bottom", "top", "back", "front"];
+    for (number, face) in faces.into_iter().enumerate() {
+        let (axis, is_high) = (number / 2, number % 2 == 1);
+        let mut inside = [1.45, 1.6, 1.55];
+        inside[axis] = if is_high { size[axis] } else { 0.0 };
+        // The same moved to a side of the face, where half of it is left.
+        let (beside, mut at_side) = ((axis + 1) % 3, inside);
+        at_side[beside] = 0.0;
+        for (centre, part) in [(inside, 1.0), (at_side, 0.5)] {
+            let mut case = case(&bonds(), json!({ "size": size, "spacing": 0.25 }));
+            let opposite = faces[2 * axis + usize::from(!is_high)];
+            case["supports"] = json!([{ "at": { "region": opposite }, "ux": 0.0, "uy": 0.0, "uz": 0.0 }]);
+            case["loads"] = json!([
+                { "traction": { "face": face, "hertz": { "centre": centre, "radius": radius, "peak": peak } } }
+            ]);
+            let [asked, held] = resultants(&case);
+            let (mut f, mut at) = ([0.0; 3], centre);
+            f[axis] = if is_high { -part * force } else { part * force };
+            if part < 1.0 {
+                at[beside] = 3.0 / 8.0 * radius;
+            }
+            let [x, y, z] = at;
+            let moment = [y * f[2] - z * f[1], z * f[0] - x * f[2], x * f[1] - y * f[0]];
+            for k in 0..3 {
+                // 2e-14 measured.
+                assert!((asked[0][k] - f[k]).abs() < 1e-11, "{face}, {part}: {asked:?} {f:?}");
+                assert!((asked[1][k] - moment[k]).abs() < 1e-11, "{face}, {part}: {asked:?} {moment:?}");
+                // Cycles leave 4e-8.
+                assert!((asked[0][k] + held[0][k]).abs() < 1e-6, "{face}: {asked:?} {held:?}");
+                assert!((asked[1][k] + held[1][k]).abs() < 1e-6, "{face}: {asked:?} {held:?}");
+            }
+        }
+    }
+}

@@ -14,7 +14,7 @@ pub(super) fn errors(run: &PlaneRun, exact: impl Fn([f64; 2]) -> [f64; 2]) -> [f
     for (p, at) in run.positions().into_iter().enumerate() {
         let expected = exact(at);
         let off = (u[0][p] - expected[0]).hypot(u[1][p] - expected[1]);
-        let volume = at[0] * run.scene.body().area(p);
+        let volume = at[0] * run.scene.body().measure(p);
         for (k, value) in [off, expected[0].hypot(expected[1])].into_iter().enumerate() {
             most[k] = most[k].max(if value.is_nan() { f64::INFINITY } else { value });
             sums[k] += volume * value * value;

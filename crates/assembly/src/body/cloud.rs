@@ -1,6 +1,6 @@
-//! Points with areas in no particular arrangement.
+//! Points with areas or volumes in no particular arrangement.
 
-use super::geometry::{Point, distance};
+use super::geometry::{distance_in_space, in_space};
 use super::neighbours::{self, Neighbours};
 use thiserror::Error;
 
@@ -13,13 +13,13 @@ pub enum CloudError {
         /// How many there are.
         found: usize,
     },
-    /// Not one area per point.
-    #[error("{positions} positions, but {areas} areas")]
+    /// Not one area or volume per point.
+    #[error("{positions} positions, but {sizes} areas or volumes")]
     Lengths {
         /// How many positions there are.
         positions: usize,
-        /// How many areas there are.
-        areas: usize,
+        /// How many areas or volumes there are.
+        sizes: usize,
     },
     /// A coordinate is infinite or no number.
     #[error("the position of point {point} is not finite")]
@@ -27,12 +27,12 @@ pub enum CloudError {
         /// Which point.
         point: usize,
     },
-    /// An area is not above zero.
-    #[error("the area of point {point} must be above zero, found {found}")]
-    Area {
+    /// An area or a volume is not above zero.
+    #[error("the area or volume of point {point} must be above zero, found {found}")]
+    Size {
         /// Which point.
         point: usize,
-        /// Its area.
+        /// Its area or volume.
         found: f64,
     },
     /// Two points are closer than 1e-9 of the spacing.
@@ -70,11 +70,12 @@ pub struct Group {
     pub points: Vec<u32>,
 }
 
-/// Points with areas, in the order in which they were listed.
+/// Points of a plane with areas, or of space with volumes, in the order in which they were listed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cloud {
-    positions: Vec<Point>,
-    areas: Vec<f64>,
+    axes: usize,
+    positions: Vec<[f64; 3]>,
+    sizes: Vec<f64>,
     groups: Vec<Group>,
     spacing: f64,
 }
@@ -83,45 +84,61 @@ pub struct Cloud {
 const COINCIDENT: f64 = 1e-9;
 
 impl Cloud {
-    /// Points at `positions` (m) with `areas` (m²), one each, and groups of them; numbers in groups may come in any order.
+    /// Points of the plane at `positions` (m) with `areas` (m²), one each, and groups of them; numbers in groups may come in any
+    /// order.
     ///
     /// # Errors
     /// [`CloudError`].
-    pub fn new(
+    pub fn in_plane(
         positions: Vec<[f64; 2]>,
         areas: Vec<f64>,
-        mut groups: Vec<Group>,
+        groups: Vec<Group>,
+    ) -> Result<Self, CloudError> {
+        Self::new(2, positions.into_iter().map(in_space).collect(), areas, groups)
+    }
+
+    /// Points of space at `positions` (m) with `volumes` (m³), otherwise as [`in_plane`](Self::in_plane).
+    ///
+    /// # Errors
+    /// [`CloudError`].
+    pub fn in_space(
+        positions: Vec<[f64; 3]>,
+        volumes: Vec<f64>,
+        groups: Vec<Group>,
+    ) -> Result<Self, CloudError> {
+        Self::new(3, positions, volumes, groups)
+    }
+
+    fn new(
+        axes: usize,
+        positions: Vec<[f64; 3]>,
+        sizes: Vec<f64>,
+        groups: Vec<Group>,
     ) -> Result<Self, CloudError> {
         let found = positions.len();
         if found == 0 || u32::try_from(found).is_err() {
             return Err(CloudError::Number { found });
         }
-        if areas.len() != found {
-            return Err(CloudError::Lengths { positions: found, areas: areas.len() });
+        if sizes.len() != found {
+            return Err(CloudError::Lengths { positions: found, sizes: sizes.len() });
         }
         if let Some(point) = positions.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
             return Err(CloudError::NotFinite { point });
         }
-        if let Some(point) = areas.iter().position(|a| !(*a > 0.0 && a.is_finite())) {
-            return Err(CloudError::Area { point, found: areas[point] });
+        if let Some(point) = sizes.iter().position(|size| !(*size > 0.0 && size.is_finite())) {
+            return Err(CloudError::Size { point, found: sizes[point] });
         }
-        let spacing = (areas.iter().map(|a| a / found as f64).sum::<f64>()).sqrt();
-        if let Some([first, second]) = coincident(&positions, COINCIDENT * spacing) {
+        let mean = sizes.iter().map(|size| size / found as f64).sum::<f64>();
+        let spacing = if axes == 3 { mean.cbrt() } else { mean.sqrt() };
+        if let Some([first, second]) = coincident(&positions, axes, COINCIDENT * spacing) {
             return Err(CloudError::Coincident { first, second });
         }
-        for k in 0..groups.len() {
-            let (before, rest) = groups.split_at_mut(k);
-            let group = &mut rest[0];
-            if before.iter().any(|g| g.name == group.name) {
-                return Err(CloudError::SameName { name: group.name.clone() });
-            }
-            group.points.sort_unstable();
-            group.points.dedup();
-            if let Some(&point) = group.points.last().filter(|p| **p as usize >= found) {
-                return Err(CloudError::NoSuchPoint { group: group.name.clone(), point, points: found });
-            }
-        }
-        Ok(Self { positions, areas, groups, spacing })
+        Ok(Self { axes, positions, sizes, groups: checked(groups, found)?, spacing })
+    }
+
+    /// Number of coordinates of a position: two in the plane, three in space.
+    pub fn axes(&self) -> usize {
+        self.axes
     }
 
     /// Number of points.
@@ -129,14 +146,20 @@ impl Cloud {
         self.positions.len()
     }
 
-    /// Positions, m.
-    pub fn positions(&self) -> &[[f64; 2]] {
+    /// Positions, m; z = 0 in the plane.
+    pub fn positions(&self) -> &[[f64; 3]] {
         &self.positions
     }
 
-    /// Areas, m².
-    pub fn areas(&self) -> &[f64] {
-        &self.areas
+    /// Position of a point along x and y, m: all of it in the plane.
+    pub fn place(&self, point: usize) -> [f64; 2] {
+        let [x, y, _] = self.positions[point];
+        [x, y]
+    }
+
+    /// Areas, m², in the plane; volumes, m³, in space.
+    pub fn sizes(&self) -> &[f64] {
+        &self.sizes
     }
 
     /// Named groups of points.
@@ -149,9 +172,32 @@ impl Cloud {
         self.groups.iter().find(|g| g.name == name)
     }
 
-    /// Root of the mean area, m.
+    /// Square root of the mean area, or cube root of the mean volume, m.
     pub fn spacing(&self) -> f64 {
         self.spacing
+    }
+
+    /// The mean of the distances of points to their nearest neighbours, m, and the standard deviation over it, which is zero on a
+    /// lattice; none where no point has a neighbour within `radius`, m. Those without one do not count.
+    ///
+    /// # Panics
+    /// As [`neighbours`](Self::neighbours).
+    pub fn nearest_distances(&self, radius: f64) -> Option<[f64; 2]> {
+        let neighbours = self.neighbours(radius);
+        let distance = |a: usize, b: u32| {
+            let (a, b) = (self.positions[a], self.positions[b as usize]);
+            (0..3).map(|k| (b[k] - a[k]).powi(2)).sum::<f64>().sqrt()
+        };
+        let nearest = |p: usize| neighbours.of(p).iter().map(|&q| distance(p, q)).reduce(f64::min);
+        let all: Vec<f64> = (0..self.points()).filter_map(nearest).collect();
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        let variance = all.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / all.len() as f64;
+        (!all.is_empty()).then(|| [mean, variance.sqrt() / mean])
+    }
+
+    /// Side of the square or the cube that a point stands for, over the [spacing](Self::spacing).
+    pub fn width(&self, point: usize) -> f64 {
+        self.sizes[point].powf(1.0 / self.axes as f64) / self.spacing
     }
 
     /// Neighbours at a distance of at most `radius` (m): exactly `radius` counts, so one that shall include a known
@@ -171,22 +217,46 @@ impl Cloud {
     /// A radius that is not above zero.
     pub fn about_pairs(&self, radius: f64) -> f64 {
         assert!(radius > 0.0, "a radius is above zero");
-        neighbours::about(&self.positions, radius)
+        neighbours::about(&self.positions, self.axes, radius)
     }
 }
 
+/// Groups of some of so many points, their numbers in order.
+fn checked(mut groups: Vec<Group>, points: usize) -> Result<Vec<Group>, CloudError> {
+    for k in 0..groups.len() {
+        let (before, rest) = groups.split_at_mut(k);
+        let group = &mut rest[0];
+        if before.iter().any(|g| g.name == group.name) {
+            return Err(CloudError::SameName { name: group.name.clone() });
+        }
+        group.points.sort_unstable();
+        group.points.dedup();
+        if let Some(&point) = group.points.last().filter(|p| **p as usize >= points) {
+            return Err(CloudError::NoSuchPoint { group: group.name.clone(), point, points });
+        }
+    }
+    Ok(groups)
+}
+
 /// Two points within a small distance. Such points are in one of the strips of twice the distance, or in one of the same
-/// strips moved by half; in a strip they follow each other closely along y.
-fn coincident(positions: &[Point], within: f64) -> Option<[usize; 2]> {
-    for shift in [0.0, 0.5] {
-        let strip = |p: &Point| (p[0] / (2.0 * within) + shift).floor();
-        let mut order: Vec<(f64, f64, usize)> =
-            positions.iter().enumerate().map(|(k, p)| (strip(p), p[1], k)).collect();
-        order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+/// strips moved by half; in a strip they follow each other closely along y. In space strips along x and y make columns, which
+/// run along z.
+fn coincident(positions: &[[f64; 3]], axes: usize, within: f64) -> Option<[usize; 2]> {
+    let along = axes - 1;
+    for moved in 0..1 << along {
+        let strip = |p: &[f64; 3], k: usize| {
+            let shift = if moved >> k & 1 == 1 { 0.5 } else { 0.0 };
+            if k < along { (p[k] / (2.0 * within) + shift).floor() } else { 0.0 }
+        };
+        let place = |(k, p): (usize, &[f64; 3])| ([strip(p, 0), strip(p, 1)], p[along], k);
+        let mut order: Vec<([f64; 2], f64, usize)> = positions.iter().enumerate().map(place).collect();
+        order.sort_unstable_by(|(a, x, i), (b, y, j)| {
+            a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(x.total_cmp(y)).then(i.cmp(j))
+        });
         for (place, a) in order.iter().enumerate() {
             let near = order[place + 1..].iter().take_while(|b| b.0 == a.0 && b.1 - a.1 <= within);
             for b in near {
-                if distance(positions[a.2], positions[b.2]) <= within {
+                if distance_in_space(positions[a.2], positions[b.2]) <= within {
                     return Some([a.2.min(b.2), a.2.max(b.2)]);
                 }
             }
@@ -196,39 +266,4 @@ fn coincident(positions: &[Point], within: f64) -> Option<[usize; 2]> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn fault(positions: &[Point], areas: &[f64]) -> CloudError {
-        Cloud::new(positions.to_vec(), areas.to_vec(), Vec::new()).unwrap_err()
-    }
-
-    #[test]
-    fn lists_are_checked() {
-        assert_eq!(fault(&[], &[]), CloudError::Number { found: 0 });
-        assert_eq!(fault(&[[0.0; 2]], &[]), CloudError::Lengths { positions: 1, areas: 0 });
-        assert_eq!(fault(&[[0.0, f64::INFINITY]], &[1.0]), CloudError::NotFinite { point: 0 });
-        assert_eq!(fault(&[[0.0; 2], [1.0; 2]], &[1.0, 0.0]), CloudError::Area { point: 1, found: 0.0 });
-        let group = |name: &str, points: &[u32]| Group { name: name.into(), points: points.to_vec() };
-        let with = |groups: Vec<Group>| Cloud::new(vec![[0.0; 2], [1.0; 2]], vec![2.0; 2], groups);
-        assert!(matches!(with(vec![group("a", &[0, 2])]), Err(CloudError::NoSuchPoint { point: 2, .. })));
-        assert!(matches!(with(vec![group("a", &[]), group("a", &[])]), Err(CloudError::SameName { .. })));
-        let cloud = with(vec![group("a", &[1, 0, 1])]).unwrap();
-        assert_eq!(cloud.group("a").unwrap().points, [0, 1]);
-        assert_eq!(cloud.spacing(), 2.0f64.sqrt());
-    }
-
-    /// Points of a regular grid, which share their coordinates with many others, and one that is nearly a copy.
-    #[test]
-    fn copies_are_found_on_either_side_of_any_strip() {
-        let grid = (0..40).flat_map(|i| (0..40).map(move |j| [f64::from(i) * 0.7, f64::from(j) * 0.7]));
-        let grid: Vec<Point> = grid.collect();
-        let areas = vec![0.49; grid.len() + 1];
-        assert!(Cloud::new(grid.clone(), areas[1..].to_vec(), Vec::new()).is_ok());
-        for (k, by) in [(0, [0.0, 0.0]), (777, [5e-10, 0.0]), (800, [-5e-10, 1e-10]), (1599, [0.0, -6e-10])] {
-            let mut points = grid.clone();
-            points.push([grid[k][0] + by[0], grid[k][1] + by[1]]);
-            assert_eq!(fault(&points, &areas), CloudError::Coincident { first: k, second: 1600 });
-        }
-    }
-}
+mod tests;

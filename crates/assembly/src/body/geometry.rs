@@ -28,6 +28,12 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     d[0].hypot(d[1])
 }
 
+/// Distance of positions in space.
+pub(super) fn distance_in_space(a: [f64; 3], b: [f64; 3]) -> f64 {
+    // In the plane exactly the distance there: the last step changes nothing.
+    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
+}
+
 /// Positive where `p` is to the left of the line from `a` to `b`, zero exactly on it.
 pub(super) fn side(a: Point, b: Point, p: Point) -> f64 {
     let coord = |[x, y]: Point| Coord { x, y };

@@ -1,4 +1,4 @@
-//! Bodies in the plane and what is found on them, before any model.
+//! Bodies in the plane and in space and what is found on them, before any model.
 //!
 //! An [`Outline`] says where material is, a [`SquareLattice`] or a [`Cloud`] holds its points, a [`Region`] selects some
 //! of them and a [`Crack`] cuts bonds between them. Wherever a position may lie on a border, the border counts, within a
@@ -67,7 +67,16 @@ pub enum PointBody {
 impl PointBody {
     /// Number of coordinates of a position: two in the plane, three in space.
     pub fn axes(&self) -> usize {
-        if matches!(self, Self::Solid(_)) { 3 } else { 2 }
+        match self {
+            Self::Lattice(_) => 2,
+            Self::Solid(_) => 3,
+            Self::Cloud(cloud) => cloud.axes(),
+        }
+    }
+
+    /// Whether it is a body in space.
+    pub fn is_solid(&self) -> bool {
+        self.axes() == 3
     }
 
     /// Number of points.
@@ -81,8 +90,9 @@ impl PointBody {
     /// Position of a point, m; z = 0 in the plane.
     pub fn position(&self, point: usize) -> [f64; 3] {
         match self {
+            Self::Lattice(lattice) => in_space(lattice.place(point)),
             Self::Solid(lattice) => lattice.position(point),
-            _ => in_space(self.place(point)),
+            Self::Cloud(cloud) => cloud.positions()[point],
         }
     }
 
@@ -90,7 +100,7 @@ impl PointBody {
     pub fn place(&self, point: usize) -> [f64; 2] {
         match self {
             Self::Lattice(lattice) | Self::Solid(lattice) => lattice.place(point),
-            Self::Cloud(cloud) => cloud.positions()[point],
+            Self::Cloud(cloud) => cloud.place(point),
         }
     }
 
@@ -116,19 +126,20 @@ impl PointBody {
                     run.columns.clone().for_each(|column| visit(lattice.centre(run.cell(column))));
                 }
             }
-            Self::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(in_space(*at))),
+            Self::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),
         }
     }
 
-    /// Area of a point, m²; of a solid that of a side of its cell.
-    pub fn area(&self, point: usize) -> f64 {
+    /// What a point weighs in a mean: its area, m², in the plane, its volume, m³, in space.
+    pub fn measure(&self, point: usize) -> f64 {
         match self {
-            Self::Lattice(lattice) | Self::Solid(lattice) => lattice.area(point),
-            Self::Cloud(cloud) => cloud.areas()[point],
+            Self::Lattice(lattice) => lattice.area(point),
+            Self::Solid(lattice) => lattice.volume(point),
+            Self::Cloud(cloud) => cloud.sizes()[point],
         }
     }
 
-    /// Side of a cell, or of the mean area of listed points, m.
+    /// Side of a cell, or of the mean area or volume of listed points, m.
     pub fn spacing(&self) -> f64 {
         match self {
             Self::Lattice(lattice) | Self::Solid(lattice) => lattice.spacing(),

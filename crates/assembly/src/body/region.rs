@@ -155,10 +155,8 @@ impl Regions<'_> {
         let parts = match region {
             Region::Union { of } => return self.union(of, unions),
             Region::Group { name } => return self.group(name),
-            Region::Solid(region) => {
-                let PointBody::Solid(lattice) = self.body else { return Ok(Vec::new()) };
-                return solid::select(lattice, self.walls, region);
-            }
+            Region::Solid(_) if !self.body.is_solid() => return Ok(Vec::new()),
+            Region::Solid(region) => return solid::select(self.body, self.walls, region),
             Region::Corner { at } => return Ok(nearest(self.body, finite("at", *at)?)),
             Region::Edge { name, depth } => self.named(name, *depth)?,
             Region::Hole { name, depth } => self.hole(name, *depth)?,

@@ -9,12 +9,12 @@ use super::{BORDER, PointBody};
 /// Numbers of the points in a part of the plane, ascending.
 pub(super) fn points_in(body: &PointBody, part: &Convex) -> Vec<u32> {
     match body {
-        PointBody::Lattice(lattice) => on_lattice(lattice, part),
         // Parts of the plane are none of solids.
-        PointBody::Solid(_) => Vec::new(),
+        _ if body.is_solid() => Vec::new(),
+        PointBody::Lattice(lattice) | PointBody::Solid(lattice) => on_lattice(lattice, part),
         PointBody::Cloud(cloud) => {
-            let inside = |(k, p): (usize, &Point)| part.contains(*p).then_some(k as u32);
-            cloud.positions().iter().enumerate().filter_map(inside).collect()
+            let inside = |k: &u32| part.contains(cloud.place(*k as usize));
+            (0..cloud.points() as u32).filter(inside).collect()
         }
     }
 }
@@ -64,5 +64,5 @@ fn nearest_cell(lattice: &SquareLattice, to: Point) -> f64 {
 }
 
 fn nearest_listed(cloud: &Cloud, to: Point) -> f64 {
-    cloud.positions().iter().map(|p| distance(*p, to)).fold(f64::INFINITY, f64::min)
+    (0..cloud.points()).map(|p| distance(cloud.place(p), to)).fold(f64::INFINITY, f64::min)
 }

@@ -6,6 +6,7 @@ pub mod bond_antiplane;
 pub mod bond_plane;
 pub mod bond_solid;
 mod breaking;
+mod cloud;
 pub mod plane;
 pub mod plate_bending;
 mod points;

@@ -72,6 +72,27 @@ impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
         }
     }
 
+    /// Adds to planes of its point the first of what is conjugate to its measures, and in a further plane its energy, both over a
+    /// volume, m³.
+    pub fn add_densities(&self, planes: usize, volume: f64, u: &[f64], sums: &mut [f64]) {
+        let (n, point) = (sums.len() / (planes + 1), self.point as usize);
+        let state = self.measures(n, u);
+        let action = self.stress(&state);
+        (0..planes).for_each(|q| sums[q * n + point] += action[q] / volume);
+        let energy: f64 = (0..M).map(|q| 0.5 * state[q] * action[q]).sum();
+        sums[planes * n + point] += energy / volume;
+    }
+
+    /// Adds the forces that do the work of what it is conjugate to with the values `t` of its point, planes of the first measures:
+    /// the adjoint of its densities over no volume.
+    pub fn add_strain_work(&self, planes: usize, t: &[f64], force: &mut [f64]) {
+        let n = t.len() / planes;
+        let own: [f64; M] = from_fn(|q| if q < planes { t[q * n + self.point as usize] } else { 0.0 });
+        if own != [0.0; M] {
+            self.add_work(n, &self.stress(&own), force);
+        }
+    }
+
     /// The block of two of its members.
     fn block(&self, a: &Mat<M, D>, b: &Mat<M, D>) -> Mat<D, D> {
         let conjugate: Mat<M, D> =

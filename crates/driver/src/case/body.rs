@@ -22,7 +22,7 @@ pub enum Body {
     Rectangle(RectangleBody),
     /// A polygon in the plane.
     Outline(OutlineBody),
-    /// Points in the plane that a file lists.
+    /// Points that a file lists, in the plane or in space.
     Points(PointsBody),
     /// A mesh in the plane.
     Mesh(MeshBody),

@@ -4,6 +4,7 @@ mod about_field;
 mod amount;
 mod body;
 mod condition;
+mod contact;
 mod continuum;
 mod crack;
 mod drawing;
@@ -49,6 +50,7 @@ pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sign, Sine, Steps, Support,
 };
+pub use contact::{ContactCentre, Hertz};
 pub use continuum::Continuum;
 pub use crack::{CrackDisc, GivenCrack};
 pub use drawing::{Arrows, Drawing, PictureFormat, Signs};
@@ -72,7 +74,7 @@ pub use plane_body::{
     CircleHole, CrackName, EllipseHole, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
     SlotHole,
 };
-pub use plane_load::{BodyForce, Hertz, Traction};
+pub use plane_load::{BodyForce, Traction};
 pub use plane_output::{LineOutput, StressIntensity, TipQuantity, Tips};
 pub use read::{Source, from_text, read, read_text};
 pub use refine::Overrides;
@@ -127,7 +129,7 @@ pub struct Case {
     /// Geometry and discretisation.
     pub body: Body,
     /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side; of listed points the
-    /// spacing is the root of their mean area. Give this or `horizon`; without both it is 3; 2 on solids, and without cracks, `fracture` and `path` on
+    /// spacing is the root of their mean area, in space the cube root of their mean volume. Give this or `horizon`; without both it is 3; 2 on solids of cells, and without cracks, `fracture` and `path` on
     /// lattices of `bond_plane` with edges that are completed and of `state_plane` with the usual edges and one material; 3.2 where no beam bond lies on the fibres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon_ratio: Option<f64>,

@@ -56,7 +56,8 @@ pub struct OutlineBody {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointsBody {
-    /// CSV file with the columns `x`, `y` and `area` or `volume`, relative to the case, in its folder or below.
+    /// CSV file with the columns `x`, `y` and `area` or `volume`, in space `x`, `y`, `z` and `volume`; relative to the case, in its
+    /// folder or below.
     pub file: String,
 }
 

@@ -1,6 +1,6 @@
 //! Loads on bodies in the plane and on solids.
 
-use super::{Amount, Amounts, LoadSharing, Names, SpaceAxis, Vector};
+use super::{Amount, Amounts, Hertz, LoadSharing, Names, SpaceAxis, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +37,7 @@ pub struct Traction {
     /// Force along x and y, and z where points move along it, spread evenly over the edge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total: Option<Vector>,
-    /// The pressure of a smooth round body on a straight edge.
+    /// The pressure of a smooth round body on a straight edge, or on a flat face of a solid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hertz: Option<Hertz>,
     /// How deep a consistent traction reaches into the body before it has faded, > 0; two horizons if not given. Where the
@@ -57,19 +57,6 @@ impl Traction {
         let edge = self.edge.as_deref().map(|name| ("edge", name));
         edge.or(self.face.as_deref().map(|name| ("face", name)))
     }
-}
-
-/// The contact pressure `p₀ √(1 − (s − s₀)²/a²)` of Hertz over the positions s within a of its middle s₀ along an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Hertz {
-    /// Its middle, x or y as the edge runs; 0, the axis of a body of revolution, if not given.
-    #[serde(default)]
-    pub centre: f64,
-    /// Half its width, the contact radius, > 0.
-    pub radius: f64,
-    /// Largest pressure p₀.
-    pub peak: f64,
 }
 
 /// A force on every point of a region; `density` or `total`.

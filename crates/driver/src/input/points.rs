@@ -1,56 +1,70 @@
-//! Lists of points: CSV with a header that has `x`, `y` and one of `area` and `volume`.
+//! Lists of points: CSV with a header that has `x`, `y` and one of `area` and `volume`; of a solid `x`, `y`, `z` and `volume`.
 
 use super::ReadError;
 use super::lines::Lines;
 use peristat_assembly::body::{Cloud, CloudError};
 
-/// What the third column says.
+/// What the column of sizes says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// Areas, m².
     Area,
-    /// Volumes, m³: areas times the thickness.
+    /// Volumes, m³: in the plane areas times the thickness.
     Volume,
+}
+
+impl Measure {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Area => "area",
+            Self::Volume => "volume",
+        }
+    }
 }
 
 /// The points of a file in its order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
-    /// Positions, m.
-    pub positions: Vec<[f64; 2]>,
+    /// Positions, m; z = 0 in the plane.
+    pub positions: Vec<[f64; 3]>,
     /// Area or volume of each.
     pub sizes: Vec<f64>,
     /// Which of both.
     pub measure: Measure,
+    /// Coordinates of a point.
+    axes: usize,
     lines: Vec<usize>,
 }
 
-/// Reads a list of points. Columns may come in any order, others are passed over, and so are blank lines.
+/// Reads a list of points with two or three coordinates. Columns may come in any order, others are passed over, and so are blank lines.
 ///
 /// # Errors
 /// [`ReadError`] with the line.
-pub fn read(bytes: &[u8]) -> Result<Points, ReadError> {
-    const COLUMNS: &str =
-        "the first line names the columns: x, y and either area or volume, with commas between them";
+pub fn read(bytes: &[u8], axes: usize) -> Result<Points, ReadError> {
+    let columns = match axes {
+        2 => "the first line names the columns: x, y and either area or volume, with commas between them",
+        _ => "the first line names the columns: x, y, z and volume, with commas between them",
+    };
     let mut lines = Lines::new(bytes);
-    let header = lines.text("a header").map_err(|e| e.hint(COLUMNS))?;
+    let header = lines.text("a header").map_err(|e| e.hint(columns))?;
     let names: Vec<&str> = header.split(',').map(str::trim).collect();
     let line = lines.number();
     let find = |name: &str| names.iter().position(|n| *n == name);
-    let need = |name: &str| {
-        find(name).ok_or_else(|| ReadError::at(line, format!("there is no column `{name}`")).hint(COLUMNS))
+    let need = |name: &'static str| match find(name) {
+        Some(column) => Ok((column, name)),
+        None => Err(ReadError::at(line, format!("there is no column `{name}`")).hint(columns)),
     };
-    let (size, measure) = match (find("area"), find("volume")) {
+    let measure = match (find("area").filter(|_| axes == 2), find("volume")) {
         (Some(_), Some(_)) => {
-            return Err(
-                ReadError::at(line, "there are columns `area` and `volume`, one too many").hint(COLUMNS)
-            );
+            let message = "there are columns `area` and `volume`, one too many";
+            return Err(ReadError::at(line, message).hint(columns));
         }
-        (Some(column), None) => (column, Measure::Area),
-        _ => (need("volume")?, Measure::Volume),
+        (Some(_), None) => Measure::Area,
+        _ => Measure::Volume,
     };
-    let columns = [(need("x")?, "x"), (need("y")?, "y"), (size, names[size])];
-    let mut points = Points { positions: Vec::new(), sizes: Vec::new(), measure, lines: Vec::new() };
+    let size = need(measure.name())?;
+    let along = ["x", "y", "z"][..axes].iter().map(|name| need(name)).collect::<Result<Vec<_>, _>>()?;
+    let mut points = Points { positions: Vec::new(), sizes: Vec::new(), measure, axes, lines: Vec::new() };
     while let Some(row) = lines.raw() {
         let line = lines.number();
         let cells: Vec<&[u8]> = row.split(|b| *b == b',').collect();
@@ -59,28 +73,35 @@ pub fn read(bytes: &[u8]) -> Result<Points, ReadError> {
             let value = text.and_then(|t| t.parse::<f64>().ok()).filter(|v| v.is_finite());
             value.ok_or_else(|| ReadError::at(line, format!("there is no number in column `{name}`")))
         };
-        let [x, y, size] = [number(columns[0])?, number(columns[1])?, number(columns[2])?];
-        points.positions.push([x, y]);
-        points.sizes.push(size);
+        let mut at = [0.0; 3];
+        for (x, column) in at.iter_mut().zip(&along) {
+            *x = number(*column)?;
+        }
+        points.positions.push(at);
+        points.sizes.push(number(size)?);
         points.lines.push(line);
     }
     if points.positions.is_empty() { Err(ReadError::whole("has no points")) } else { Ok(points) }
 }
 
 impl Points {
-    /// The points of a body of some thickness, m.
+    /// The points of a body, in the plane of some thickness, m.
     ///
     /// # Errors
-    /// [`ReadError`] with the line of a point that has no area or is at the place of another one.
+    /// [`ReadError`] with the line of a point that has no size or is at the place of another one.
     pub fn cloud(self, thickness: f64) -> Result<Cloud, ReadError> {
-        let areas = match self.measure {
-            Measure::Area => self.sizes.clone(),
-            Measure::Volume => self.sizes.iter().map(|v| v / thickness).collect(),
+        let cloud = match (self.axes, self.measure) {
+            (3, _) => Cloud::in_space(self.positions, self.sizes.clone(), Vec::new()),
+            (_, measure) => {
+                let thickness = if measure == Measure::Area { 1.0 } else { thickness };
+                let areas = self.sizes.iter().map(|size| size / thickness).collect();
+                let positions = self.positions.iter().map(|&[x, y, _]| [x, y]).collect();
+                Cloud::in_plane(positions, areas, Vec::new())
+            }
         };
-        let name = if self.measure == Measure::Area { "area" } else { "volume" };
-        Cloud::new(self.positions, areas, Vec::new()).map_err(|error| match error {
-            CloudError::Area { point, .. } => {
-                let found = self.sizes[point];
+        cloud.map_err(|error| match error {
+            CloudError::Size { point, .. } => {
+                let (name, found) = (self.measure.name(), self.sizes[point]);
                 ReadError::at(self.lines[point], format!("the {name} must be above zero, found {found}"))
             }
             CloudError::Coincident { first, second } => ReadError::at(
@@ -100,20 +121,25 @@ mod tests {
     #[test]
     fn columns_may_come_in_any_order() {
         let text = b"\xef\xbb\xbfvolume, y ,x,note\r\n2e-3,1,0.5,a\r\n\r\n1e-3,0,0.5,b\r\n";
-        let points = read(text).unwrap();
-        assert_eq!(points.positions, [[0.5, 1.0], [0.5, 0.0]]);
+        let points = read(text, 2).unwrap();
+        assert_eq!(points.positions, [[0.5, 1.0, 0.0], [0.5, 0.0, 0.0]]);
         let cloud = points.cloud(0.1).unwrap();
-        assert_eq!(cloud.areas(), [2e-3 / 0.1, 1e-3 / 0.1]);
-        let plain = read(b"x,y,area\n0,0,1").unwrap().cloud(f64::NAN).unwrap();
-        assert_eq!(plain.areas(), [1.0]);
+        assert_eq!(cloud.sizes(), [2e-3 / 0.1, 1e-3 / 0.1]);
+        let plain = read(b"x,y,area\n0,0,1", 2).unwrap().cloud(f64::NAN).unwrap();
+        assert_eq!(plain.sizes(), [1.0]);
+        let solid = read(b"area,z,y,x,volume\n9,3,2,1,4\n", 3).unwrap().cloud(f64::NAN).unwrap();
+        assert_eq!((solid.axes(), solid.positions(), solid.sizes()), (3, &[[1.0, 2.0, 3.0]][..], &[4.0][..]));
     }
 
     #[test]
     fn faults_name_the_line() {
-        let fault = |text: &str| match read(text.as_bytes()).and_then(|p| p.cloud(1.0)) {
+        let fault_of = |text: &str, axes| match read(text.as_bytes(), axes).and_then(|p| p.cloud(1.0)) {
             Err(error) => error.to_string(),
             Ok(_) => panic!("{text} is no list of points"),
         };
+        let fault = |text: &str| fault_of(text, 2);
+        assert_eq!(fault_of("x,y,volume\n0,0,1", 3), "line 1: there is no column `z`");
+        assert_eq!(fault_of("x,y,z,area\n0,0,0,1", 3), "line 1: there is no column `volume`");
         assert_eq!(fault(""), "ends where a header belongs");
         assert_eq!(fault("x,y,area\n"), "has no points");
         assert_eq!(fault("x;y;area\n0;0;1\n"), "line 1: there is no column `volume`");
@@ -130,9 +156,9 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..200), header: bool) {
-            let head: &[u8] = if header { b"x,y,area\n" } else { b"" };
-            if let Ok(points) = read(&[head, &bytes].concat()) {
+        fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..200), header: bool, axes in 2_usize..4) {
+            let head: &[u8] = if header { b"x,y,z,volume\n" } else { b"" };
+            if let Ok(points) = read(&[head, &bytes].concat(), axes) {
                 let _ = points.cloud(1.0);
             }
         }

@@ -32,4 +32,21 @@ impl BondChoice {
         }
         if published { self.weights.is_none() } else { self.volume_factor.is_none() }
     }
+
+    /// Whether listed points can have them.
+    pub(super) fn check_listed(&self, path: &JsonPath, faults: &mut Faults) -> bool {
+        let needs_cells = self.volume_factor == Some(VolumeFactor::Area);
+        if needs_cells {
+            faults
+                .error(path.key("volume_factor"), "the volume factor `area` needs the cells of a lattice")
+                .hint("use `ramp`");
+        }
+        let needs_offsets = self.weights == Some(Weights::Isotropic);
+        if needs_offsets {
+            faults
+                .error(path.key("weights"), "weights that are `isotropic` need the offsets of a lattice")
+                .hint("leave `weights` out, or fill the body with cells");
+        }
+        !needs_cells && !needs_offsets
+    }
 }

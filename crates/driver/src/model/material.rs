@@ -6,7 +6,7 @@ use super::{
 };
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
-use peristat_assembly::body::{Cell, Outline, SquareLattice};
+use peristat_assembly::body::{Cell, Cloud, Outline, SquareLattice};
 use peristat_assembly::law::Bilinear;
 use peristat_assembly::model::plane::toughness::CrossingBonds;
 use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges, Mirrors, has_border};
@@ -164,15 +164,15 @@ pub trait Material: Debug + Send + Sync {
     /// [`Refusal`].
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal>;
 
-    /// A body of listed points with their areas, m², and a horizon, m; `cut` tells whether something separates two positions.
+    /// A body of listed points with a horizon, m; `cut` tells whether something separates two positions.
     ///
     /// # Errors
     /// [`Refusal`].
     fn on_points(
         &self,
-        _points: (Vec<[f64; 2]>, Vec<f64>),
+        _cloud: &Cloud,
         _horizon: f64,
-        _cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
+        _cut: &dyn Fn([f64; 3], [f64; 3]) -> bool,
     ) -> Result<AnyBody, Refusal> {
         Err(Refusal::needs_lattice(self.about().name))
     }

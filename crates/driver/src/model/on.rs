@@ -25,7 +25,7 @@ pub struct OnLattice<'a> {
 pub struct OnGround {
     /// Whether points fill a lattice.
     pub is_lattice: bool,
-    /// Side of a cell, or root of the mean area of listed points, m.
+    /// Side of a cell, or root of the mean area of listed points, in space of their mean volume, m.
     pub spacing: f64,
     /// Horizon, m.
     pub horizon: f64,
@@ -43,7 +43,7 @@ pub struct Resolved<'a> {
     pub outline: Option<&'a Outline>,
     /// Its lines of symmetry and joined sides.
     pub mirrors: &'a Mirrors,
-    /// Side of a cell, or root of the mean area of listed points, m.
+    /// Side of a cell, or root of the mean area of listed points, in space of their mean volume, m.
     pub spacing: f64,
     /// Regions that supports hold or move.
     pub held: &'a [HeldRegion],

@@ -27,7 +27,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
 pub(super) fn check_maps(scene: &Scene) -> Faults {
     let mut faults = Faults::default();
     let (drawing, path) = (&scene.case().drawing, root("drawing"));
-    let is_plane = matches!(scene, Scene::Body(body) if !matches!(body.body(), PointBody::Solid(_)));
+    let is_plane = matches!(scene, Scene::Body(body) if !body.body().is_solid());
     let asked = [("isolines", drawing.isolines.is_some()), ("arrows", drawing.arrows.is_some())];
     for (key, _) in asked.iter().filter(|(_, asked)| *asked && !is_plane) {
         faults
@@ -43,6 +43,7 @@ pub(super) fn check_maps(scene: &Scene) -> Faults {
         None => &[],
     };
     if drawing.isolines.is_some()
+        && is_plane
         && matches!(scene, Scene::Body(body) if matches!(body.body(), PointBody::Cloud(_)))
     {
         faults

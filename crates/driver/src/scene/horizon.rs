@@ -2,7 +2,7 @@
 
 use super::root;
 use crate::case::Case;
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, tidy};
 
 /// Horizon over spacing; `usual` where the case says nothing.
 pub(super) fn horizon_ratio(case: &Case, spacing: f64, usual: f64, faults: &mut Faults) -> Option<f64> {
@@ -16,7 +16,7 @@ pub(super) fn horizon_ratio(case: &Case, spacing: f64, usual: f64, faults: &mut 
         (None, Some(horizon)) => (
             horizon / spacing,
             "horizon",
-            format!("the horizon {horizon} is shorter than the spacing {spacing}"),
+            format!("the horizon {horizon} is shorter than the spacing {}", tidy(spacing)),
         ),
         (ratio, None) => {
             let ratio = ratio.unwrap_or(usual);

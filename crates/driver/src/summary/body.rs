@@ -47,7 +47,7 @@ pub struct BodySummary {
     pub edges: Option<Edges>,
     /// Horizon over spacing.
     pub horizon_ratio: f64,
-    /// Side of a cell, or root of the mean area of listed points.
+    /// Side of a cell, or root of the mean area of listed points, in space of their mean volume.
     pub spacing: f64,
     /// Whether the points fill a lattice.
     pub lattice: bool,

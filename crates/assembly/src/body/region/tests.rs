@@ -20,7 +20,7 @@ fn as_cloud(body: &PointBody) -> PointBody {
     let all = 0..body.points();
     let positions = all.clone().map(|p| body.place(p)).collect();
     let group = Group { name: "some".into(), points: vec![7, 3, 3] };
-    PointBody::Cloud(Cloud::new(positions, all.map(|p| body.area(p)).collect(), vec![group]).unwrap())
+    PointBody::Cloud(Cloud::in_plane(positions, all.map(|p| body.measure(p)).collect(), vec![group]).unwrap())
 }
 
 fn select(region: &Region) -> Result<Vec<u32>, RegionError> {

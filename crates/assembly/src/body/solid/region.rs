@@ -1,8 +1,9 @@
 //! Parts of bodies in space that conditions and probes name.
 
-use super::super::BORDER;
+use super::super::geometry::distance_in_space as distance;
 use super::super::lattice::{SquareLattice, minus};
 use super::super::region::RegionError;
+use super::super::{BORDER, PointBody};
 use super::wall::{Side, Wall, WallKind};
 
 /// Which points of a solid. Lengths in m; borders belong to regions, within [`BORDER`] spacings.
@@ -57,16 +58,16 @@ pub enum SolidRegion {
     },
 }
 
-/// Numbers of the points of a region, ascending.
+/// Numbers of the points of a region of a body in space, ascending. Listed points have no walls.
 ///
 /// # Errors
 /// [`RegionError`].
 pub(in super::super) fn select(
-    lattice: &SquareLattice,
+    body: &PointBody,
     walls: &[Wall],
     region: &SolidRegion,
 ) -> Result<Vec<u32>, RegionError> {
-    let slack = BORDER * lattice.spacing();
+    let slack = BORDER * body.spacing();
     match region {
         SolidRegion::Face { name, depth } => {
             let mut faces = walls.iter().filter(|wall| !matches!(wall.kind, WallKind::Cut { .. }));
@@ -74,11 +75,12 @@ pub(in super::super) fn select(
             let unknown =
                 || RegionError::Unknown { kind: "face", name: name.clone(), known: known.collect() };
             let wall = faces.find(|wall| wall.name == *name).ok_or_else(unknown)?;
-            let depth = positive("depth", depth.unwrap_or(lattice.spacing()))?;
+            let depth = positive("depth", depth.unwrap_or(body.spacing()))?;
             let Some(face) = wall.face().filter(|_| wall.patch().is_none()) else {
-                return Ok(behind(&wall.sides(lattice), depth + slack, lattice));
+                let points = body.cells().map(|cells| behind(&wall.sides(cells), depth + slack, cells));
+                return Ok(points.unwrap_or_default());
             };
-            Ok(inside(lattice, |at| (at[face.axis] - face.at).abs() <= depth + slack))
+            Ok(inside(body, |at| (at[face.axis] - face.at).abs() <= depth + slack))
         }
         SolidRegion::Cut { name } => {
             let wall = walls.iter().find(|wall| wall.name == *name).ok_or_else(|| RegionError::Unknown {
@@ -86,33 +88,34 @@ pub(in super::super) fn select(
                 name: name.clone(),
                 known: walls.iter().filter(|wall| wall.face().is_none()).map(|w| w.name.clone()).collect(),
             })?;
-            let mut points: Vec<u32> = wall.sides(lattice).iter().map(|side| side.point as u32).collect();
+            let sides = body.cells().map(|cells| wall.sides(cells)).unwrap_or_default();
+            let mut points: Vec<u32> = sides.iter().map(|side| side.point as u32).collect();
             points.dedup();
             Ok(points)
         }
         SolidRegion::Corner { at } => {
             let at = finite("at", *at)?;
-            let least = (0..lattice.points()).map(|p| distance(lattice.position(p), at));
-            let least = least.fold(f64::INFINITY, f64::min);
-            Ok(inside(lattice, |other| distance(other, at) <= least + slack))
+            let mut least = f64::INFINITY;
+            body.visit(|other| least = least.min(distance(other, at)));
+            Ok(inside(body, |other| distance(other, at) <= least + slack))
         }
         SolidRegion::Box { from, to } => {
             let (from, to) = (finite("from", *from)?, finite("to", *to)?);
             let [low, high] =
                 [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| [0, 1, 2].map(|k| of(from[k], to[k])));
             let is_in = |at: [f64; 3], k: usize| low[k] - slack <= at[k] && at[k] <= high[k] + slack;
-            Ok(inside(lattice, |at| (0..3).all(|k| is_in(at, k))))
+            Ok(inside(body, |at| (0..3).all(|k| is_in(at, k))))
         }
         SolidRegion::Ball { centre, radius } => {
             let (centre, radius) = (finite("centre", *centre)?, positive("radius", *radius)?);
-            Ok(inside(lattice, |at| distance(at, centre) <= radius + slack))
+            Ok(inside(body, |at| distance(at, centre) <= radius + slack))
         }
         SolidRegion::Cylinder { from, to, radius } => {
             let (from, to, radius) =
                 (finite("from", *from)?, finite("to", *to)?, positive("radius", *radius)?);
             let (axis, length) =
                 direction([0, 1, 2].map(|k| to[k] - from[k])).ok_or(RegionError::NoLength)?;
-            Ok(inside(lattice, |at| {
+            Ok(inside(body, |at| {
                 let along = above(at, from, axis);
                 let foot = [0, 1, 2].map(|k| from[k] + along * axis[k]);
                 (-slack..=length + slack).contains(&along) && distance(at, foot) <= radius + slack
@@ -122,7 +125,7 @@ pub(in super::super) fn select(
             let (point, normal) = (finite("point", *point)?, finite("normal", *normal)?);
             let none = RegionError::Position { what: "normal" };
             let (normal, _) = direction(normal).ok_or(none)?;
-            Ok(inside(lattice, |at| above(at, point, normal) >= -slack))
+            Ok(inside(body, |at| above(at, point, normal) >= -slack))
         }
     }
 }
@@ -142,18 +145,16 @@ fn behind(sides: &[Side], depth: f64, lattice: &SquareLattice) -> Vec<u32> {
     found
 }
 
-/// The points of a lattice at positions of which something is true.
-fn inside(lattice: &SquareLattice, is_in: impl Fn([f64; 3]) -> bool) -> Vec<u32> {
-    let mut found = Vec::new();
-    for run in lattice.runs() {
-        let points = run.columns.clone().filter(|&column| is_in(lattice.centre(run.cell(column))));
-        found.extend(points.map(|column| run.number(column) as u32));
-    }
+/// The points of a body at positions of which something is true.
+fn inside(body: &PointBody, is_in: impl Fn([f64; 3]) -> bool) -> Vec<u32> {
+    let (mut found, mut point) = (Vec::new(), 0);
+    body.visit(|at| {
+        if is_in(at) {
+            found.push(point);
+        }
+        point += 1;
+    });
     found
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
 /// How far a position is beyond another one in a direction of length one.
@@ -177,14 +178,25 @@ fn positive(what: &'static str, found: f64) -> Result<f64, RegionError> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::{Cloud, Group, Region, Regions};
     use super::super::SolidShape;
     use super::*;
+    use std::collections::BTreeMap;
 
     #[test]
     fn regions_of_solids_have_their_points() {
         let shape = SolidShape::block([0.0; 3], [4.0, 3.0, 2.0]).unwrap();
-        let (lattice, faces) = (shape.fill(1.0).unwrap(), shape.walls());
-        let count = |region: SolidRegion| select(&lattice, &faces, &region).map(|points| points.len());
+        let (body, faces) = (PointBody::Solid(shape.fill(1.0).unwrap()), shape.walls());
+        let positions: Vec<[f64; 3]> = (0..body.points()).map(|p| body.position(p)).collect();
+        let cloud = PointBody::Cloud(Cloud::in_space(positions, vec![1.0; 24], Vec::new()).unwrap());
+        let count = |region: SolidRegion| {
+            let found = select(&body, &faces, &region);
+            if !matches!(region, SolidRegion::Face { .. }) {
+                // Listed points give the same answer.
+                assert_eq!(found, select(&cloud, &[], &region));
+            }
+            found.map(|points| points.len())
+        };
         let face = |name: &str, depth| SolidRegion::Face { name: name.into(), depth };
         assert_eq!(count(face("right", None)), Ok(6));
         assert_eq!(count(face("back", Some(2.0))), Ok(24));
@@ -207,5 +219,26 @@ mod tests {
         assert_eq!(count(half), Ok(12));
         let none = SolidRegion::HalfSpace { point: [0.0; 3], normal: [0.0; 3] };
         assert_eq!(count(none), Err(RegionError::Position { what: "normal" }));
+    }
+    #[test]
+    fn listed_points_in_space_have_groups_and_no_walls() {
+        let group = Group { name: "some".into(), points: vec![1] };
+        let positions = vec![[0.0; 3], [0.0, 0.0, 1.0]];
+        let cloud = Cloud::in_space(positions.clone(), vec![8.0; 2], vec![group]).unwrap();
+        let body = PointBody::Cloud(cloud);
+        assert!(body.is_solid() && body.axes() == 3);
+        assert_eq!((body.position(1), body.measure(1), body.spacing()), ([0.0, 0.0, 1.0], 8.0, 2.0));
+        let (parts, named) = ([], BTreeMap::new());
+        let regions = Regions { body: &body, outline: None, walls: &[], parts: &parts, named: &named };
+        assert_eq!(regions.select(&Region::Group { name: "some".into() }), Ok(vec![1]));
+        let corner = Region::Solid(SolidRegion::Corner { at: [0.0, 3.0, 0.9] });
+        assert_eq!(regions.select(&corner), Ok(vec![1]));
+        // Parts of the plane are none of bodies in space.
+        assert_eq!(regions.select(&Region::Disc { centre: [0.0; 2], radius: 1.0 }), Ok(vec![]));
+        let face = Region::Solid(SolidRegion::Face { name: "top".into(), depth: None });
+        assert!(matches!(regions.select(&face), Err(RegionError::Unknown { kind: "face", .. })));
+        // Nor are those of space of bodies in the plane.
+        let flat = PointBody::Cloud(Cloud::in_plane(vec![[0.0; 2]], vec![1.0], Vec::new()).unwrap());
+        assert_eq!(Regions { body: &flat, ..regions }.select(&corner), Ok(vec![]));
     }
 }

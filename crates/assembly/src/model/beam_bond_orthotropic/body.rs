@@ -293,7 +293,7 @@ impl Model<3> for BeamBondOrthotropic {
     fn calibration_error(&self) -> f64 {
         // Shares of places on the border and of means round, too: measured 1.5 times as much on a strip of 2000 x 4 points.
         let parts = if self.body.border.bonds().is_some() { 2.0 } else { 1.0 };
-        parts * calibration_error(self)
+        parts * calibration_error(self, 2)
     }
 
     fn contrast(&self) -> f64 {

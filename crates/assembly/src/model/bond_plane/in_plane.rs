@@ -1,6 +1,6 @@
 //! A plate as a body in the plane.
 
-use super::super::plane::{PlaneFields, PlaneModel, add_work_of_triangles};
+use super::super::plane::{PlaneFields, PlaneModel};
 use super::{Body, BondPlane, PlaneState};
 use crate::bonds::Mat;
 
@@ -38,9 +38,8 @@ impl PlaneModel for BondPlane {
         match &self.body {
             Body::Lattice(body) => body.fields(u),
             Body::Cloud(body) => {
-                let sums = body.sums(u, self.thickness());
-                let volume = |point: usize| body.volume(point, self.thickness());
-                PlaneFields::with_triangles(sums, body.triangles.list().iter(), volume, u)
+                let volume = |point: usize| body.sites.volume(point);
+                PlaneFields::with_triangles(body.sums(u), body.overlay.list().iter(), volume, u)
             }
         }
     }
@@ -62,10 +61,7 @@ impl PlaneModel for BondPlane {
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
         match &self.body {
             Body::Lattice(body) => body.add_strain_work(t, points, force),
-            Body::Cloud(body) => {
-                body.add_work(t, force);
-                add_work_of_triangles(body.triangles.list(), t, force);
-            }
+            Body::Cloud(body) => body.add_strain_work(t, force),
         }
     }
 

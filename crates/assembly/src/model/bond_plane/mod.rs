@@ -36,12 +36,12 @@ pub use toughness::{critical_stretch, crossing_bonds, growth_stretch, published_
 pub(super) use calibration::overlap::cell_in_disc;
 pub(super) use calibration::published::radial_part;
 
+use super::cloud::CloudBody;
 use super::plane::{BorderShares, Edges, Kind, LatticeBody, Mirrors, Mixture, PlaneModel, in_plane};
 use crate::body::{Cell, SquareLattice};
 use crate::model::solid::TENSOR;
 use crate::model::{BodyFields, BodyModel};
 use crate::stiffness::Families;
-use cloud::CloudBody;
 use neighbourhood::neighbourhood;
 use std::sync::Arc;
 
@@ -55,7 +55,7 @@ pub struct BondPlane {
 #[derive(Clone, Debug)]
 enum Body {
     Lattice(Box<LatticeBody<2, 1, 3, CentralBond>>),
-    Cloud(CloudBody),
+    Cloud(CloudBody<2, 3>),
 }
 
 impl BondPlane {
@@ -133,7 +133,7 @@ impl BondPlane {
         parameters: PlaneParameters,
         cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
     ) -> Result<Self, BondPlaneError> {
-        let body = CloudBody::new(positions, areas, horizon, &parameters, cut)?;
+        let body = cloud::body(positions, areas, horizon, &parameters, cut)?;
         Ok(Self { parameters, body: Body::Cloud(body) })
     }
 
@@ -153,7 +153,7 @@ impl BondPlane {
     fn overlay(&self) -> &Arc<Families<2, 3, 2>> {
         match &self.body {
             Body::Lattice(body) => &body.triangles,
-            Body::Cloud(body) => &body.triangles,
+            Body::Cloud(body) => &body.overlay,
         }
     }
 }
@@ -162,7 +162,7 @@ impl BodyModel for BondPlane {
     fn volume(&self, point: usize) -> f64 {
         match &self.body {
             Body::Lattice(body) => body.volume(point),
-            Body::Cloud(body) => body.volume(point, self.thickness()),
+            Body::Cloud(body) => body.sites.volume(point),
         }
     }
 
@@ -202,7 +202,7 @@ impl BodyModel for BondPlane {
     fn completing(&self) -> usize {
         match &self.body {
             Body::Lattice(body) => body.completing(),
-            Body::Cloud(body) => body.triangles.list().len(),
+            Body::Cloud(body) => body.overlay.list().len(),
         }
     }
 

@@ -14,14 +14,14 @@ impl Points for BondPlane {
     fn points(&self) -> usize {
         match &self.body {
             Body::Lattice(body) => body.lattice.points(),
-            Body::Cloud(body) => body.positions.len(),
+            Body::Cloud(body) => body.sites.positions.len(),
         }
     }
 
     fn position(&self, point: usize) -> Point {
         let [x, y] = match &self.body {
             Body::Lattice(body) => body.lattice.place(point),
-            Body::Cloud(body) => body.positions[point],
+            Body::Cloud(body) => body.sites.positions[point],
         };
         [x, y, 0.0]
     }
@@ -37,7 +37,7 @@ impl Model<2> for BondPlane {
     }
 
     fn calibration_error(&self) -> f64 {
-        calibration_error(self)
+        calibration_error(self, 2)
     }
 
     fn contrast(&self) -> f64 {

@@ -40,12 +40,7 @@ impl PlaneFields {
     ) -> Self {
         let n = sums.len() / 4;
         for triangle in triangles {
-            let point = triangle.point as usize;
-            let state = triangle.measures(n, u);
-            let (action, volume) = (triangle.stress(&state), volume(point));
-            (0..3).for_each(|q| sums[q * n + point] += action[q] / volume);
-            let energy: f64 = (0..S).map(|q| 0.5 * state[q] * action[q]).sum();
-            sums[3 * n + point] += energy / volume;
+            triangle.add_densities(3, volume(triangle.point as usize), u, &mut sums);
         }
         let energy_density = sums.split_off(3 * n);
         let xy = sums.split_off(2 * n);
@@ -55,18 +50,12 @@ impl PlaneFields {
 }
 
 /// Adds the forces of triangles that do the work of their stresses with the strains `t`, three planes.
-pub(in super::super) fn add_work_of_triangles<const D: usize, const S: usize>(
+fn add_work_of_triangles<const D: usize, const S: usize>(
     triangles: &[Family<D, S, 2>],
     t: &[f64],
     force: &mut [f64],
 ) {
-    let n = t.len() / 3;
-    for triangle in triangles {
-        let own: [f64; S] = from_fn(|q| if q < 3 { t[q * n + triangle.point as usize] } else { 0.0 });
-        if own != [0.0; S] {
-            triangle.add_work(n, &triangle.stress(&own), force);
-        }
-    }
+    triangles.iter().for_each(|triangle| triangle.add_strain_work(3, t, force));
 }
 
 /// Adds the forces that do the work of families of any size in strains `t` of the points, three planes, as far as they move them.

@@ -42,7 +42,6 @@ pub(super) use edges::{
     strain_rows, volume_factor,
 };
 pub(super) use exceptions::{grid, halved};
-pub(super) use fields::add_work_of_triangles;
 pub(super) use mixture::Mixture;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};
@@ -52,7 +51,7 @@ pub(super) use uneven::{MixedBonds, UnevenBonds};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, Mat, Point};
 use crate::model::solid::TENSOR;
-use crate::model::{BodyModel, Component, RigidMotion};
+use crate::model::{BodyModel, Component, Points, RigidMotion};
 use rayon::prelude::*;
 
 /// Component of the displacement along x.
@@ -84,15 +83,16 @@ pub(super) fn rigid_motion(kind: usize, [x, y, _]: Point, centre: Point) -> [f64
 /// in the solution of a square is 9e-14.
 pub(super) const CALIBRATION: f64 = 2e-14;
 
-/// Relative error of a body with such weights: they bend it, and a long one the more, by its length over its width.
-pub(super) fn calibration_error(model: &dyn PlaneModel) -> f64 {
-    let places = || (0..model.points()).map(|p| model.place(p));
+/// Relative error of a body of so many axes with such weights: they bend it, and a long one the more, by its length over its width.
+pub(super) fn calibration_error<P: Points + ?Sized>(model: &P, axes: usize) -> f64 {
+    let places = || (0..model.points()).map(|p| model.position(p));
     let side = |k: usize| {
         let [low, high] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of).unwrap_or(0.0));
         high - low
     };
-    let (short, long) = (side(0).min(side(1)), side(0).max(side(1)));
-    // A single row does not bend: its bonds lie in a line.
+    let sides = || (0..axes).map(side);
+    let (short, long) = (sides().fold(f64::INFINITY, f64::min), sides().fold(0.0, f64::max));
+    // A single row or layer does not bend: its bonds lie in a line or a plane.
     if short > 0.0 { CALIBRATION * long / short } else { CALIBRATION }
 }
 

@@ -6,7 +6,7 @@
 //! in every uniform strain, and nothing becomes indefinite. What lacks the same bonds and has the same tetrahedra shares them.
 
 use super::body::Reach;
-use super::tetrahedra::{Corners, strain_rows, tetrahedra};
+use super::tetrahedra::{Corners, rows_of_cells, tetrahedra};
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::Mat;
@@ -97,7 +97,7 @@ impl CornerKind {
         others.dedup();
         let mut strain = vec![[0.0; TENSOR]; 3 * others.len()];
         for tetrahedron in corners {
-            for (measure, rows) in spread(&others, *tetrahedron, strain_rows(*tetrahedron, spacing)) {
+            for (measure, rows) in spread(&others, *tetrahedron, rows_of_cells(*tetrahedron, spacing)) {
                 (0..TENSOR).for_each(|q| strain[measure][q] += rows[q] / corners.len() as f64);
             }
         }
@@ -111,7 +111,8 @@ impl CornerKind {
         let part = spacing.powi(3) / corners.len() as f64;
         let mut stack = DMatrix::zeros(TENSOR * corners.len(), side);
         for (t, tetrahedron) in corners.iter().enumerate() {
-            for (measure, strain) in spread(&self.others, *tetrahedron, strain_rows(*tetrahedron, spacing)) {
+            for (measure, strain) in spread(&self.others, *tetrahedron, rows_of_cells(*tetrahedron, spacing))
+            {
                 for k in 0..TENSOR {
                     let along: f64 = (0..TENSOR).map(|q| lack.eigenvectors[(q, k)] * strain[q]).sum();
                     stack[(TENSOR * t + k, measure)] = (part * lack.eigenvalues[k].max(0.0)).sqrt() * along;

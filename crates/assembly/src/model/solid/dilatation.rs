@@ -55,7 +55,7 @@ pub(super) fn families(
             None => add_tetrahedra(&mut rows, &steps, overlay, point),
         }
         for family in given.get(&point).into_iter().flatten() {
-            add_given(&mut rows, &steps, (lattice, law.shear_modulus() * own(point)), family);
+            add_given(&mut rows, &steps, (lattice, law.material.shear_modulus() * own(point)), family);
         }
         let bits = rows.iter().map(|row| row.map(f64::to_bits)).collect();
         set_of[point] = Some(*known.entry(bits).or_insert_with(|| {

@@ -18,11 +18,7 @@ impl SolidBody {
         if let Some(interface) = &self.interface {
             interface.uneven.add_to(self.whole(), (u, &shares, volume), &mut sums);
             for family in interface.stress_families() {
-                let (point, state) = (family.point as usize, family.measures(n, u));
-                let action = family.stress(&state);
-                (0..TENSOR).for_each(|q| sums[q * n + point] += action[q] / volume);
-                let energy: f64 = (0..TENSOR).map(|q| 0.5 * state[q] * action[q]).sum();
-                sums[TENSOR * n + point] += energy / volume;
+                family.add_densities(TENSOR, volume, u, &mut sums);
             }
         }
         let overlay = &self.overlay;
@@ -46,8 +42,7 @@ impl SolidBody {
         for &ghost in &self.ghosts {
             (0..=TENSOR).for_each(|q| sums[q * n + ghost as usize] = 0.0);
         }
-        let energy_density = sums.split_off(TENSOR * n);
-        SolidFields { stress: from_fn(|q| sums[q * n..(q + 1) * n].to_vec()), energy_density }
+        SolidFields::of(sums)
     }
 
     /// Adds the forces that do the work `Σ_k t_k·V_k σ_k` with the strains `t`, six planes.

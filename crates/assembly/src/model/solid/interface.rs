@@ -2,12 +2,11 @@
 
 use super::super::plane::{LatticeBond, Mirrors, MixedBonds, Mixture, Path, UnevenBonds};
 use super::bond::SolidBond;
-use super::tetrahedra::{Corners, strain_rows, tetrahedra};
+use super::tetrahedra::{Corners, rows_of_cells, tetrahedra};
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, BondModel, Mat, add, block};
 use crate::stiffness::{Exception, Families, Family};
-use std::array::from_fn;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
@@ -96,11 +95,7 @@ impl Interface {
 
     /// Adds the work of all tetrahedra in the strains `t` of their points, six planes.
     pub(super) fn add_work(&self, t: &[f64], force: &mut [f64]) {
-        let n = t.len() / TENSOR;
-        for family in self.families.list() {
-            let own: [f64; TENSOR] = from_fn(|q| t[q * n + family.point as usize]);
-            family.add_work(n, &family.stress(&own), force);
-        }
+        self.families.list().iter().for_each(|family| family.add_strain_work(TENSOR, t, force));
     }
 }
 
@@ -126,6 +121,6 @@ fn family(
     for (other, step) in others.iter_mut().zip(corners) {
         *other = lattice.number(plus(cell, step))? as u32;
     }
-    let rows = strain_rows(corners, lattice.spacing());
+    let rows = rows_of_cells(corners, lattice.spacing());
     Some(Family { point: point as u32, others, rows, own: [[0.0; 3]; TENSOR], modulus })
 }

@@ -1,10 +1,9 @@
 //! What a solid is made of, whatever its points.
 
 use super::super::bond_plane::{VolumeFactor, cell_in_disc, radial_part};
-use super::super::plane::{Calibration, Neighbourhood, length};
-use super::TENSOR;
+use super::super::plane::{Calibration, Edges, Neighbourhood, length};
+use super::Isotropic;
 use crate::body::Cell;
-use crate::bonds::Mat;
 use crate::quadrature::GAUSS;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
@@ -36,6 +35,16 @@ impl SolidEdges {
     /// Whether points near faces have exactly the stiffness of the material, if the others have.
     pub fn is_exact(self) -> bool {
         matches!(self, Self::Border | Self::Overlay)
+    }
+}
+
+impl From<SolidEdges> for Edges {
+    fn from(edges: SolidEdges) -> Self {
+        match edges {
+            SolidEdges::Border => Self::Border,
+            SolidEdges::Overlay => Self::Overlay,
+            SolidEdges::None => Self::None,
+        }
     }
 }
 
@@ -74,6 +83,17 @@ pub enum SolidError {
         "solids of several materials need whole cells, at least two thick, and bonds that end on the border"
     )]
     MaterialsNeedBorder,
+    /// Points of a cloud have no cells.
+    #[error("the volume factor `area` needs the cells of a lattice; `ramp` needs none")]
+    AreaNeedsCells,
+    /// Two points of a cloud coincide.
+    #[error("points {first} and {second} have the same position")]
+    Coincident {
+        /// The lower number.
+        first: usize,
+        /// The other one.
+        second: usize,
+    },
     /// Poisson's ratio is that of no stable material.
     #[error("a Poisson ratio of {poisson_ratio} is not between -1 and 1/2")]
     PoissonRatio {
@@ -96,10 +116,7 @@ pub(in super::super) struct Dilatation {
 pub struct SolidLaw {
     pub(in super::super) neighbourhood: Neighbourhood<1>,
     pub(in super::super) dilatation: Option<Dilatation>,
-    /// Young's modulus, Pa.
-    pub(in super::super) youngs_modulus: f64,
-    /// Poisson's ratio.
-    pub(in super::super) poisson_ratio: f64,
+    pub(in super::super) material: Isotropic,
     pub(in super::super) edges: SolidEdges,
 }
 
@@ -108,45 +125,8 @@ pub trait SolidMaterial: Copy + Debug + Send + Sync + 'static {
     /// Its law.
     ///
     /// # Errors
-    /// [`SolidError`], but [`SolidError::TooThin`].
+    /// [`SolidError`], all that speaks neither of clouds nor of bodies.
     fn law(&self) -> Result<SolidLaw, SolidError>;
-}
-
-impl SolidLaw {
-    /// Shear modulus G, Pa.
-    pub(in super::super) fn shear_modulus(&self) -> f64 {
-        0.5 * self.youngs_modulus / (1.0 + self.poisson_ratio)
-    }
-
-    /// Bulk modulus K, Pa.
-    pub(in super::super) fn bulk_modulus(&self) -> f64 {
-        self.youngs_modulus / (3.0 * (1.0 - 2.0 * self.poisson_ratio))
-    }
-
-    /// Stiffness of the material, Pa.
-    pub(super) fn stiffness(&self) -> Mat<TENSOR, TENSOR> {
-        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
-        let lame = bulk - 2.0 * shear / 3.0;
-        let mut c = [[0.0; TENSOR]; TENSOR];
-        (0..3).for_each(|i| (0..3).for_each(|j| c[i][j] = lame));
-        (0..3).for_each(|i| c[i][i] += 2.0 * shear);
-        (3..TENSOR).for_each(|i| c[i][i] = shear);
-        c
-    }
-
-    /// Strains of stresses.
-    pub(super) fn strain(&self, stress: [f64; TENSOR]) -> [f64; TENSOR] {
-        let (e, nu, shear) = (self.youngs_modulus, self.poisson_ratio, self.shear_modulus());
-        let trace = stress[0] + stress[1] + stress[2];
-        let of = |q: usize| if q < 3 { ((1.0 + nu) * stress[q] - nu * trace) / e } else { stress[q] / shear };
-        std::array::from_fn(of)
-    }
-
-    /// Root of the ratio of the moduli of changes of volume and of shape, the larger over the smaller.
-    pub(super) fn contrast(&self) -> f64 {
-        let (shape, volume) = (2.0 * self.shear_modulus(), 3.0 * self.bulk_modulus());
-        (shape / volume).max(volume / shape).sqrt()
-    }
 }
 
 /// Offsets of all bonds that can exist, spacings.

@@ -19,6 +19,7 @@ mod damage;
 mod dilatation;
 mod fields;
 mod interface;
+mod isotropic;
 mod law;
 mod model;
 #[cfg(test)]
@@ -31,7 +32,9 @@ pub use law::{SolidEdges, SolidError, SolidLaw, SolidMaterial};
 pub use model::Solid;
 
 pub(super) use bond::direction_product;
+pub(super) use isotropic::Isotropic;
 pub(super) use law::{Dilatation, part, reach_of};
+pub(super) use tetrahedra::strain_rows;
 
 use super::{BodyFields, BodyModel, Component, RigidMotion};
 use crate::body::Cell;
@@ -45,11 +48,11 @@ pub const TENSOR: usize = 6;
 pub const TENSOR_COMPONENTS: [&str; TENSOR] = ["xx", "yy", "zz", "yz", "xz", "xy"];
 
 /// The unknowns of a point of a solid.
-const COMPONENTS: [Component; 3] =
+pub(super) const COMPONENTS: [Component; 3] =
     [Component::displacement("ux", 0), Component::displacement("uy", 1), Component::displacement("uz", 2)];
 
 /// The rigid motions of a solid.
-const RIGID_MOTIONS: [RigidMotion; 6] = [
+pub(super) const RIGID_MOTIONS: [RigidMotion; 6] = [
     RigidMotion::translation("translation along x", "move along {direction}"),
     RigidMotion::translation("translation along y", "move along {direction}"),
     RigidMotion::translation("translation along z", "move along {direction}"),
@@ -58,6 +61,19 @@ const RIGID_MOTIONS: [RigidMotion; 6] = [
     RigidMotion::rotation("rotation about z", "turn about {centre}"),
 ];
 
+/// Displacements of a place under a unit motion of these.
+pub(super) fn rigid_motion(kind: usize, at: Point, centre: Point) -> [f64; 3] {
+    let [x, y, z] = [0, 1, 2].map(|k| at[k] - centre[k]);
+    match kind {
+        0 => [1.0, 0.0, 0.0],
+        1 => [0.0, 1.0, 0.0],
+        2 => [0.0, 0.0, 1.0],
+        3 => [0.0, -z, y],
+        4 => [z, 0.0, -x],
+        _ => [-y, x, 0.0],
+    }
+}
+
 /// Fields by component planes; images have zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidFields {
@@ -65,6 +81,15 @@ pub struct SolidFields {
     pub stress: [Vec<f64>; TENSOR],
     /// Strain energy density, J/m³, of every point.
     pub energy_density: Vec<f64>,
+}
+
+impl SolidFields {
+    /// Those of planes of stresses and one of energy densities.
+    pub(super) fn of(mut sums: Vec<f64>) -> Self {
+        let n = sums.len() / (TENSOR + 1);
+        let energy_density = sums.split_off(TENSOR * n);
+        Self { stress: std::array::from_fn(|q| sums[q * n..(q + 1) * n].to_vec()), energy_density }
+    }
 }
 
 impl From<SolidFields> for BodyFields {

@@ -6,7 +6,7 @@ use super::super::plane::{
 use super::body::SolidBody;
 use super::{
     COMPONENTS, RIGID_MOTIONS, SolidEdges, SolidError, SolidFields, SolidMaterial, SolidModel, TENSOR,
-    TENSOR_COMPONENTS,
+    TENSOR_COMPONENTS, rigid_motion,
 };
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
@@ -27,7 +27,7 @@ impl<P: SolidMaterial> Solid<P> {
     /// They hold those of all bonds and the possible edges of tetrahedra.
     ///
     /// # Errors
-    /// [`SolidError`], but [`SolidError::TooThin`].
+    /// [`SolidError`], all that speaks neither of clouds nor of bodies.
     pub fn offsets(parameters: &P) -> Result<Vec<Cell>, SolidError> {
         Ok(parameters.law()?.neighbourhood.offsets)
     }
@@ -45,7 +45,7 @@ impl<P: SolidMaterial> Solid<P> {
     /// index into [`offsets`](Self::offsets) and the lower point of a bond; images of cuts are cuts.
     ///
     /// # Errors
-    /// [`SolidError`].
+    /// [`SolidError`], all that does not speak of clouds.
     ///
     /// # Panics
     /// A cut has no such offset or point.
@@ -62,7 +62,7 @@ impl<P: SolidMaterial> Solid<P> {
     /// those of their points; none where all are one. Bonds end on the border.
     ///
     /// # Errors
-    /// [`SolidError`].
+    /// [`SolidError`], all that does not speak of clouds.
     ///
     /// # Panics
     /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
@@ -138,16 +138,7 @@ impl<P> Model<3> for Solid<P> {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
-        let at = self.position(point);
-        let [x, y, z] = [0, 1, 2].map(|k| at[k] - centre[k]);
-        match kind {
-            0 => [1.0, 0.0, 0.0],
-            1 => [0.0, 1.0, 0.0],
-            2 => [0.0, 0.0, 1.0],
-            3 => [0.0, -z, y],
-            4 => [z, 0.0, -x],
-            _ => [-y, x, 0.0],
-        }
+        rigid_motion(kind, self.position(point), centre)
     }
 
     fn calibration_error(&self) -> f64 {
@@ -158,7 +149,7 @@ impl<P> Model<3> for Solid<P> {
     }
 
     fn contrast(&self) -> f64 {
-        self.body.law.contrast() * self.contrast_of_points()
+        self.body.law.material.contrast() * self.contrast_of_points()
     }
 
     fn contrast_of_points(&self) -> f64 {
@@ -184,11 +175,7 @@ impl<P: SolidMaterial> BodyModel for Solid<P> {
     }
 
     fn edges(&self) -> Option<Edges> {
-        Some(match self.body.law.edges {
-            SolidEdges::Border => Edges::Border,
-            SolidEdges::Overlay => Edges::Overlay,
-            SolidEdges::None => Edges::None,
-        })
+        Some(self.body.law.edges.into())
     }
 
     fn border_shares(&self) -> Option<BorderShares<'_>> {
@@ -267,11 +254,11 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
     }
 
     fn stiffness(&self) -> Mat<TENSOR, TENSOR> {
-        self.body.law.stiffness()
+        self.body.law.material.stiffness()
     }
 
     fn strain_of(&self, stress: [f64; TENSOR]) -> [f64; TENSOR] {
-        self.body.law.strain(stress)
+        self.body.law.material.strain(stress)
     }
 
     fn fields(&self, u: &[f64]) -> SolidFields {

@@ -3,7 +3,7 @@
 use super::super::plane::{Neighbourhood, is_cut};
 use super::TENSOR;
 use crate::body::{Cell, SquareLattice, minus, plus};
-use crate::bonds::Mat;
+use crate::bonds::{Mat, Point};
 use nalgebra::Matrix3;
 use std::collections::HashSet;
 
@@ -47,7 +47,7 @@ fn nearest(reach: i32, has: &dyn Fn(Cell) -> bool) -> Vec<Corners> {
     for (k, &c) in near.iter().enumerate() {
         for (l, &b) in near[..k].iter().enumerate() {
             for &a in &near[..l] {
-                let volume = matrix([a, b, c]).determinant().abs();
+                let volume = matrix(places([a, b, c])).determinant().abs();
                 if volume > 0.5 {
                     let edges = [a, b, c, minus(b, a), minus(c, a), minus(c, b)].map(squared);
                     found.push((edges.iter().sum::<f64>().powf(1.5) / volume, [a, b, c]));
@@ -59,16 +59,28 @@ fn nearest(reach: i32, has: &dyn Fn(Cell) -> bool) -> Vec<Corners> {
     found.into_iter().filter(|f| f.0 <= AS_GOOD * least).map(|f| f.1).collect()
 }
 
-fn matrix(corners: Corners) -> Matrix3<f64> {
-    Matrix3::from_fn(|row, column| f64::from(corners[row][column]))
+/// Corners relative to the point, spacings.
+fn places(corners: Corners) -> [Point; 3] {
+    corners.map(|step| step.map(f64::from))
 }
 
-/// Strains of a tetrahedron per displacement of its other corners relative to the point, 1/m.
-pub(super) fn strain_rows(corners: Corners, spacing: f64) -> [Mat<TENSOR, 3>; 3] {
+/// One corner per row.
+fn matrix(corners: [Point; 3]) -> Matrix3<f64> {
+    Matrix3::from_fn(|row, column| corners[row][column])
+}
+
+/// Strains of a tetrahedron of cells per displacement of its other corners relative to the point, 1/m.
+pub(super) fn rows_of_cells(corners: Corners, spacing: f64) -> [Mat<TENSOR, 3>; 3] {
+    strain_rows(places(corners)).map(|rows| rows.map(|row| row.map(|v| v / spacing)))
+}
+
+/// Strains of a tetrahedron per displacement of its other corners relative to a point, from which they are `corners`: per unit of
+/// these.
+pub(in super::super) fn strain_rows(corners: [Point; 3]) -> [Mat<TENSOR, 3>; 3] {
     // The corners are independent: tetrahedra without volume are never made.
     let inverse = matrix(corners).try_inverse().unwrap_or_default();
     [0, 1, 2].map(|corner| {
-        let [x, y, z] = [0, 1, 2].map(|axis| inverse[(axis, corner)] / spacing);
+        let [x, y, z] = [0, 1, 2].map(|axis| inverse[(axis, corner)]);
         [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [0.0, z, y], [z, 0.0, x], [y, x, 0.0]]
     })
 }
@@ -81,7 +93,7 @@ mod tests {
     fn a_tetrahedron_has_the_strain_of_a_linear_field() {
         let gradient = [[0.1, 0.7, -0.2], [-0.3, 0.4, 0.5], [0.9, -0.6, 0.8]];
         for corners in [[[1, 0, 0], [0, -1, 0], [0, 0, 1]], [[1, 1, 0], [-1, 0, 1], [0, 2, 1]]] {
-            let rows = strain_rows(corners, 0.5);
+            let rows = rows_of_cells(corners, 0.5);
             let mut strain = [0.0; TENSOR];
             for (step, rows) in corners.iter().zip(rows) {
                 let moved = gradient.map(|g| (0..3).map(|k| 0.5 * g[k] * f64::from(step[k])).sum::<f64>());

@@ -12,7 +12,7 @@ use super::{SolidError, SolidMaterial};
 /// not in it.
 ///
 /// # Errors
-/// [`SolidError`], but [`SolidError::TooThin`].
+/// [`SolidError`], all that speaks neither of clouds nor of bodies.
 pub fn critical_stretch(
     release_rate: f64,
     parameters: &impl SolidMaterial,

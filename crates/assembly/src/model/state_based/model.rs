@@ -111,7 +111,7 @@ impl Model<2> for StateBased {
 
     fn calibration_error(&self) -> f64 {
         // Next to an axis weights are found with fewer digits, measured.
-        if self.parameters.is_axisymmetric() { 3e-12 } else { calibration_error(self) }
+        if self.parameters.is_axisymmetric() { 3e-12 } else { calibration_error(self, 2) }
     }
 
     fn contrast(&self) -> f64 {

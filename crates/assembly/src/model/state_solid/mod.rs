@@ -19,7 +19,9 @@ mod tests;
 
 use super::bond_plane::{Influence, VolumeFactor};
 use super::plane::{Calibration, Neighbourhood, half_offsets, is_within, length};
-use super::solid::{Dilatation, Solid, SolidEdges, SolidError, SolidLaw, SolidMaterial, part, reach_of};
+use super::solid::{
+    Dilatation, Isotropic, Solid, SolidEdges, SolidError, SolidLaw, SolidMaterial, part, reach_of,
+};
 use crate::body::Cell;
 
 /// A state-based solid.
@@ -121,11 +123,10 @@ impl SolidMaterial for StateSolidParameters {
                 parts: Vec::new(),
             },
             dilatation: None,
-            youngs_modulus: self.youngs_modulus,
-            poisson_ratio,
+            material: Isotropic { youngs_modulus: self.youngs_modulus, poisson_ratio },
             edges: self.edges,
         };
-        let (shear, bulk) = (law.shear_modulus(), law.bulk_modulus());
+        let (shear, bulk) = (law.material.shear_modulus(), law.material.bulk_modulus());
         let of = |(w, &step): (&f64, &Cell)| [30.0 * shear * w * squared(step) / q];
         let stiffness: Vec<[f64; 1]> = weights.iter().zip(&offsets).map(of).collect();
         law.neighbourhood = Neighbourhood::new(&offsets, &stiffness, &parts);

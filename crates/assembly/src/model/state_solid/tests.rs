@@ -19,7 +19,7 @@ fn ratios(parameters: StateSolidParameters) -> [f64; 3] {
     }
     let modulus = law.dilatation.as_ref().map_or(0.0, |of| of.modulus);
     (0..TENSOR).for_each(|r| (0..TENSOR).for_each(|q| c[r][q] += modulus * d[r] * d[q]));
-    let (shear, bulk) = (law.shear_modulus(), law.bulk_modulus());
+    let (shear, bulk) = (law.material.shear_modulus(), law.material.bulk_modulus());
     [(c[0][0] - c[0][1]) / (2.0 * shear), c[3][3] / shear, (c[0][0] + 2.0 * c[0][1]) / (3.0 * bulk)]
 }
 

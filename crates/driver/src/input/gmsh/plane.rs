@@ -28,7 +28,7 @@ pub(super) fn mesh(raw: &Raw) -> Result<Mesh, ReadError> {
     let of_curves = curves.iter().map(|(name, sides)| (name, sides.iter().map(|s| s.point).collect()));
     let groups = surfaces.iter().map(|(name, points)| (name, points.clone())).chain(of_curves);
     let groups = groups.map(|(name, points)| Group { name: name.clone(), points }).collect();
-    let cloud = Cloud::new(positions, areas, groups).map_err(|error| explain(raw, &error))?;
+    let cloud = Cloud::in_plane(positions, areas, groups).map_err(|error| explain(raw, &error))?;
     Ok(Mesh { cloud, curves: curves.into_iter().map(|(name, sides)| Curve { name, sides }).collect() })
 }
 
@@ -46,7 +46,7 @@ pub(super) fn corners(raw: &Raw) -> Result<Vec<Vec<[f64; 3]>>, ReadError> {
 fn explain(raw: &Raw, error: &CloudError) -> ReadError {
     let line = |element: usize| raw.faces[element].line;
     match *error {
-        CloudError::Area { point, found } => {
+        CloudError::Size { point, found } => {
             ReadError::at(line(point), format!("the element has no area: {found}"))
         }
         CloudError::NotFinite { point } => ReadError::at(line(point), "the element has no area"),

@@ -74,7 +74,7 @@ fn elements_become_points_and_physical_groups_groups() {
     for (found, expected) in mesh.cloud.positions().iter().zip(expected) {
         assert!((found[0] - expected[0]).abs() < 1e-15 && (found[1] - expected[1]).abs() < 1e-15);
     }
-    assert_eq!(mesh.cloud.areas(), [0.5, 0.5, 1.0]);
+    assert_eq!(mesh.cloud.sizes(), [0.5, 0.5, 1.0]);
     let group = |name: &str| mesh.cloud.group(name).unwrap().points.clone();
     assert_eq!(group("steel"), [0, 1]);
     assert_eq!(group("all"), [0, 1, 2]);
@@ -98,7 +98,7 @@ fn the_bracket_of_the_gallery_has_its_area() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/plate/bracket.msh");
     let mesh = read(&std::fs::read(file).unwrap()).unwrap();
     assert_eq!(mesh.cloud.points(), 3120);
-    let area: f64 = mesh.cloud.areas().iter().sum();
+    let area: f64 = mesh.cloud.sizes().iter().sum();
     // 100 × 40 + 40 × 40 and a fillet of radius 10, less an eye of radius 10, all in mm; polygons for circles.
     let pi = std::f64::consts::PI;
     let exact = 1e-6 * (5600.0 + 100.0 * (1.0 - pi / 4.0) - 100.0 * pi);

@@ -8,7 +8,7 @@ use super::super::{
 use super::{Central, Plane, critical, soften, words};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
-use peristat_assembly::body::Cell;
+use peristat_assembly::body::{Cell, Cloud, in_space};
 use peristat_assembly::model::bond_plane::{BondPlane, PlaneState, VolumeFactor, crossing_bonds};
 use peristat_assembly::model::plane::toughness::CrossingBonds;
 use peristat_assembly::model::plane::{Calibration, Edges};
@@ -86,11 +86,14 @@ impl Material for Central {
 
     fn on_points(
         &self,
-        (positions, areas): (Vec<[f64; 2]>, Vec<f64>),
+        cloud: &Cloud,
         horizon: f64,
-        cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
+        cut: &dyn Fn([f64; 3], [f64; 3]) -> bool,
     ) -> Result<AnyBody, Refusal> {
-        let body = BondPlane::on_cloud(positions, areas, horizon, self.parameters, cut)?;
+        let positions = (0..cloud.points()).map(|point| cloud.place(point)).collect();
+        let cut = |a, b| cut(in_space(a), in_space(b));
+        let areas = cloud.sizes().to_vec();
+        let body = BondPlane::on_cloud(positions, areas, horizon, self.parameters, &cut)?;
         Ok(AnyBody::Two(Box::new(body)))
     }
 

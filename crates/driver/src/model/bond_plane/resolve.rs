@@ -6,9 +6,7 @@ use super::super::{
 };
 use super::{Central, Plane};
 use crate::diagnostic::{Faults, positive, root, tidy};
-use peristat_assembly::model::bond_plane::{
-    PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor, Weights,
-};
+use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState};
 use peristat_assembly::model::plane::{Calibration, Edges};
 
 /// How far a Poisson ratio may be off: 0.333 is a third.
@@ -77,17 +75,8 @@ fn parameters(model: &mut Plane, asked: &Asked, faults: &mut Faults) -> Option<P
     let published = calibration == Calibration::Published;
     let choice = BondChoice { weights: model.weights, volume_factor: model.volume_factor };
     fine &= choice.check(calibration, &path, faults);
-    if model.volume_factor == Some(VolumeFactor::Area) && asked.body == BodyKind::Points {
-        faults
-            .error(path.key("volume_factor"), "the volume factor `area` needs the cells of a lattice")
-            .hint("use `ramp`");
-        fine = false;
-    }
-    if model.weights == Some(Weights::Isotropic) && asked.body == BodyKind::Points {
-        faults
-            .error(path.key("weights"), "weights that are `isotropic` need the offsets of a lattice")
-            .hint("leave `weights` out, or describe the body by a `rectangle` or an `outline`");
-        fine = false;
+    if asked.body == BodyKind::Points {
+        fine &= choice.check_listed(&path, faults);
     }
     if model.edges.is_some_and(Edges::is_exact) && published {
         faults

@@ -8,10 +8,11 @@ pub use keys::BondSolidKeys;
 
 use super::entry::plain;
 use super::solid::SolidParameters;
-use super::{Entry, Growth, MaterialSummary, Model, Start};
+use super::{AnyBody, Entry, Growth, MaterialSummary, Model, Refusal, Start};
 use crate::units::Units;
+use peristat_assembly::body::Cloud;
 use peristat_assembly::model::bond_plane::Influence;
-use peristat_assembly::model::bond_solid::{BondSolidParameters, POISSON_RATIO};
+use peristat_assembly::model::bond_solid::{BondSolidCloud, BondSolidParameters, POISSON_RATIO};
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 
@@ -55,6 +56,17 @@ impl SolidParameters for BondSolidParameters {
         self.calibration
     }
 
+    fn on_points(
+        &self,
+        cloud: &Cloud,
+        horizon: f64,
+        cut: &dyn Fn([f64; 3], [f64; 3]) -> bool,
+    ) -> Result<AnyBody, Refusal> {
+        let (positions, volumes) = (cloud.positions().to_vec(), cloud.sizes().to_vec());
+        let body = BondSolidCloud::new(positions, volumes, horizon, *self, cut)?;
+        Ok(AnyBody::Three(Box::new(body)))
+    }
+
     fn summary(&self, units: Units) -> MaterialSummary {
         words::summary(self, units)
     }
@@ -76,7 +88,7 @@ const OPTIONS: [(&str, &str); 6] = [
 /// What the command says of it.
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
-    about: "an isotropic solid of central bonds, Poisson's ratio 1/4: block",
+    about: "an isotropic solid of central bonds, Poisson's ratio 1/4: block, points",
     bodies: &[("solid block with cut-outs, or from STL or Gmsh, ν = 1/4", "solids")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a clamped cantilever", case: include_str!("start.json") }],

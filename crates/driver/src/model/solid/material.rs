@@ -7,7 +7,7 @@ use super::super::{
 use super::critical;
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
-use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::body::{Cell, Cloud, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::model::solid::{Solid, SolidEdges, SolidMaterial, SolidModel};
@@ -46,6 +46,19 @@ pub(in super::super) trait SolidParameters: SolidMaterial {
 
     /// Where the stiffness comes from.
     fn calibration(&self) -> Calibration;
+
+    /// Listed points with a horizon, m, and what separates two positions.
+    ///
+    /// # Errors
+    /// [`Refusal`]: it needs a lattice, if it does not say else.
+    fn on_points(
+        &self,
+        _cloud: &Cloud,
+        _horizon: f64,
+        _cut: &dyn Fn([f64; 3], [f64; 3]) -> bool,
+    ) -> Result<AnyBody, Refusal> {
+        Err(Refusal::needs_lattice(Self::NAME))
+    }
 
     /// What the record of a run says of it.
     fn summary(&self, units: Units) -> MaterialSummary;
@@ -185,6 +198,15 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         Ok(AnyBody::Three(Box::new(Solid::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?)))
     }
 
+    fn on_points(
+        &self,
+        cloud: &Cloud,
+        horizon: f64,
+        cut: &dyn Fn([f64; 3], [f64; 3]) -> bool,
+    ) -> Result<AnyBody, Refusal> {
+        self.parameters.on_points(cloud, horizon, cut)
+    }
+
     fn resists_eigenstrain(&self) -> Option<&'static str> {
         (P::HAS_FAMILIES && !self.edges().is_exact())
             .then_some("families that faces leave incomplete would resist a strain that needs no stress")
@@ -209,7 +231,9 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
 
     fn warn(&self, on: &Resolved, faults: &mut Faults) {
         let made = on.model.as_solid().map(|solid| solid.faces());
-        if self.edges() == SolidEdges::Border && made != Some(SolidEdges::Border) {
+        // Listed points have no border where bonds could end.
+        let lacks_border = on.lattice.is_some() && made != Some(SolidEdges::Border);
+        if self.edges() == SolidEdges::Border && lacks_border {
             faults
                 .warning(
                     root("model").key(self.about().name).key("edges"),

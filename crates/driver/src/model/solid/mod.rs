@@ -14,7 +14,10 @@ impl From<SolidError> for Refusal {
     fn from(error: SolidError) -> Self {
         let place = match error {
             SolidError::NotRepresentable { .. } | SolidError::NoNeighbours { .. } => Place::Horizon,
-            SolidError::TooThin | SolidError::MaterialsNeedBorder => Place::Body,
+            SolidError::TooThin | SolidError::MaterialsNeedBorder | SolidError::Coincident { .. } => {
+                Place::Body
+            }
+            SolidError::AreaNeedsCells => Place::Key("volume_factor"),
             SolidError::EdgesNeedMatched => Place::Key("edges"),
             SolidError::PoissonRatio { .. } => Place::Key("poisson_ratio"),
         };

@@ -1,18 +1,25 @@
-//! The cells of a solid as a limited number of blocks, for pictures: of a large body a block is several cells.
+//! The cells of a solid as a limited number of blocks, for pictures: of a large body a block is several cells. Listed points are in
+//! cells that are wider than their spacing, so that few inside stay empty.
 
-use peristat_assembly::body::{Cell, SquareLattice, plus};
-use std::ops::Range;
+use peristat_assembly::body::{Cell, PointBody, SquareLattice, plus};
 
 /// Places of the box around a body, at most, whether there is a block or not.
 const MOST_PLACES: usize = 4_000_000;
 /// Of a place without a block.
 const NONE: u32 = u32::MAX;
+/// Side of a cell that holds listed points, spacings.
+const WIDTH: f64 = 1.5;
+/// Cells of listed points along an axis, at most.
+const FEW_ALONG: f64 = 1000.0;
 
 /// Blocks of cells, numbered row by row along x, layer by layer along z.
-pub(super) struct Blocks<'a> {
-    lattice: &'a SquareLattice,
-    /// Columns, rows and layers of the lattice.
-    ranges: [Range<i32>; 3],
+pub(super) struct Blocks {
+    /// The lowest corner of the box around the body, m.
+    corner: [f64; 3],
+    /// Side of a cell, m.
+    pub(super) side: f64,
+    /// Columns, rows and layers of cells.
+    sides: [usize; 3],
     /// Cells along a side.
     pub(super) step: i32,
     /// Number of blocks along the axes.
@@ -26,15 +33,15 @@ pub(super) struct Blocks<'a> {
     counts: Vec<f64>,
 }
 
-impl<'a> Blocks<'a> {
+impl Blocks {
     /// The smallest blocks of which `fits` says that they are few enough.
-    pub(super) fn new(lattice: &'a SquareLattice, fits: impl Fn(&Self) -> bool) -> Self {
-        let sides = sides(lattice);
+    pub(super) fn new(body: &PointBody, fits: impl Fn(&Self) -> bool) -> Self {
+        let (corner, side, sides) = grid(body);
         let has_room =
             |step: &usize| sides.iter().map(|s| s.div_ceil(*step)).product::<usize>() <= MOST_PLACES;
         let mut step = (1..).find(has_room).unwrap_or(1) as i32;
         loop {
-            let blocks = Self::of_step(lattice, step);
+            let blocks = Self::of_step(body, (corner, side, sides), step);
             // A single block cannot be fewer.
             if fits(&blocks) || blocks.cells.len() < 2 {
                 return blocks;
@@ -43,23 +50,19 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    fn of_step(lattice: &'a SquareLattice, step: i32) -> Self {
-        let size = sides(lattice).map(|s| s.div_ceil(step as usize) as i32);
-        let ranges = [lattice.columns(), lattice.rows(), lattice.layers()];
-        let first = ranges.each_ref().map(|range| range.start);
+    fn of_step(body: &PointBody, (corner, side, sides): ([f64; 3], f64, [usize; 3]), step: i32) -> Self {
+        let size = sides.map(|s| s.div_ceil(step as usize) as i32);
         let numbers = vec![NONE; size.iter().map(|&s| s as usize).product()];
-        let (cells, of) = (Vec::new(), Vec::with_capacity(lattice.points()));
-        let mut blocks = Self { lattice, ranges, step, size, numbers, cells, of, counts: Vec::new() };
-        let places = lattice.runs().iter().flat_map(|run| {
-            run.columns.clone().map(move |column| {
-                let cell = run.cell(column);
-                [0, 1, 2].map(|k| (cell[k] - first[k]) / step)
-            })
-        });
-        for place in places.clone() {
-            let at = blocks.at(place);
+        let (cells, of) = (Vec::new(), Vec::with_capacity(body.points()));
+        let mut blocks = Self { corner, side, sides, step, size, numbers, cells, of, counts: Vec::new() };
+        let place = |at: [f64; 3]| {
+            let cell = |k: usize| (((at[k] - corner[k]) / side) as usize).min(sides[k] - 1);
+            [0, 1, 2].map(|k| cell(k) as i32 / step)
+        };
+        body.visit(|at| {
+            let at = blocks.at(place(at));
             blocks.numbers[at] = 0;
-        }
+        });
         let taken = blocks.numbers.iter_mut().enumerate().filter(|(_, number)| **number != NONE);
         for (next, (at, number)) in (0..).zip(taken) {
             *number = next;
@@ -67,11 +70,11 @@ impl<'a> Blocks<'a> {
             blocks.cells.push([at as i32 % columns, row % rows, row / rows]);
         }
         blocks.counts = vec![0.0; blocks.cells.len()];
-        for place in places {
-            let number = blocks.numbers[blocks.at(place)];
+        body.visit(|at| {
+            let number = blocks.numbers[blocks.at(place(at))];
             blocks.of.push(number);
             blocks.counts[number as usize] += 1.0;
-        }
+        });
         blocks
     }
 
@@ -96,15 +99,14 @@ impl<'a> Blocks<'a> {
 
     /// Where the corner before a block is, m; blocks at the end may be cut off.
     pub(super) fn place(&self, node: Cell) -> [f64; 3] {
-        let corner = self.lattice.corner();
         [0, 1, 2].map(|k| {
-            let line = (self.ranges[k].start + node[k] * self.step).min(self.ranges[k].end);
-            corner[k] + f64::from(line) * self.lattice.spacing()
+            let line = (node[k] * self.step).min(self.sides[k] as i32);
+            self.corner[k] + f64::from(line) * self.side
         })
     }
 
     /// Corners that move with the blocks around them, by some multiple.
-    pub(super) fn moved(&self, u: [&[f64]; 3], factor: f64) -> impl Fn(Cell) -> [f64; 3] + use<'_, 'a> {
+    pub(super) fn moved(&self, u: [&[f64]; 3], factor: f64) -> impl Fn(Cell) -> [f64; 3] + use<'_> {
         let means = u.map(|values| self.means(values));
         move |node| {
             let around = (0..8).filter_map(|corner| {
@@ -135,6 +137,25 @@ impl<'a> Blocks<'a> {
     }
 }
 
+/// The lowest corner of the box around a body, the side of its cells, and how many there are along the axes.
+fn grid(body: &PointBody) -> ([f64; 3], f64, [usize; 3]) {
+    if let PointBody::Solid(lattice) = body {
+        let first = [lattice.columns().start, lattice.rows().start, lattice.layers().start];
+        let corner = [0, 1, 2].map(|k| lattice.corner()[k] + f64::from(first[k]) * lattice.spacing());
+        return (corner, lattice.spacing(), sides(lattice));
+    }
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    body.visit(|at| (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k]))));
+    let half = 0.5 * body.spacing();
+    let extent = [0, 1, 2].map(|k| high[k] - low[k] + 2.0 * half);
+    // Points that lie far apart have larger cells: a few times as many places as there may be, of which blocks take several.
+    let longest = extent.iter().fold(0.0, |a: f64, b| a.max(*b));
+    let share: f64 = extent.iter().map(|e| (e / longest).cbrt()).product();
+    let most = longest * share / (MOST_PLACES as f64).cbrt();
+    let side = (WIDTH * body.spacing()).max(most).max(longest / FEW_ALONG);
+    (low.map(|x| x - half), side, extent.map(|e| (e / side).ceil().max(1.0) as usize))
+}
+
 /// Cells along the axes of the box.
 fn sides(lattice: &SquareLattice) -> [usize; 3] {
     [lattice.columns().len(), lattice.rows().len(), lattice.layers().len()]
@@ -143,13 +164,14 @@ fn sides(lattice: &SquareLattice) -> [usize; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peristat_assembly::body::Cloud;
 
     #[test]
     fn blocks_are_numbered_along_rows_and_know_their_places_and_points() {
         // 5 × 3 × 2 cells, one corner of which is missing, in blocks of 2 × 2 × 2.
         let lattice =
             SquareLattice::new(0.5, [1.0, 0.0, 0.0], [0..5, 0..3, 0..2], |cell| cell[0] < 4 || cell[1] < 2);
-        let blocks = Blocks::new(&lattice, |blocks| blocks.step == 2);
+        let blocks = Blocks::new(&PointBody::Solid(lattice.clone()), |blocks| blocks.step == 2);
         assert_eq!((blocks.size, blocks.cells.len()), ([3, 2, 1], 5));
         assert_eq!(blocks.cells[2..4], [[2, 0, 0], [0, 1, 0]]);
         assert_eq!((blocks.number([2, 0, 0]), blocks.number([2, 1, 0])), (Some(2), None));
@@ -162,8 +184,21 @@ mod tests {
 
     #[test]
     fn blocks_are_as_small_as_they_may_be() {
-        let lattice = SquareLattice::cuboid(1.0, [0.0; 3], [10, 10, 10]);
-        let step = |most: usize| Blocks::new(&lattice, |blocks| blocks.cells.len() <= most).step;
+        let cube = PointBody::Solid(SquareLattice::cuboid(1.0, [0.0; 3], [10, 10, 10]));
+        let step = |most: usize| Blocks::new(&cube, |blocks| blocks.cells.len() <= most).step;
         assert_eq!([1000, 999, 125, 124, 0].map(step), [1, 2, 2, 3, 10]);
+    }
+
+    #[test]
+    fn listed_points_fill_their_blocks() {
+        // A cube of 6³ points a spacing apart: 4³ cells of one and a half spacings, the last ones as wide as the others.
+        let at = |k: usize| [k % 6, k / 6 % 6, k / 36].map(|i| i as f64);
+        let cloud = Cloud::in_space((0..216).map(at).collect(), vec![1.0; 216], Vec::new()).unwrap();
+        let blocks = Blocks::new(&PointBody::Cloud(cloud), |_| true);
+        assert_eq!((blocks.size, blocks.cells.len()), ([4; 3], 64));
+        assert_eq!((blocks.place([0; 3]), blocks.place([4; 3])), ([-0.5; 3], [5.5; 3]));
+        let x: Vec<f64> = (0..216).map(|k| at(k)[0]).collect();
+        // Points at 0; 1 and 2; 3; 4 and 5 along x.
+        assert_eq!(blocks.means(&x)[..4], [0.0, 1.5, 3.0, 4.5]);
     }
 }

@@ -97,9 +97,9 @@ pub(super) fn draw(folder: Option<&Path>, scene: &BodyScene, result: &BodyResult
     if let Some(folder) = folder {
         plots::write(folder, scene, result)?;
     }
-    let mut blocks = vec![match scene.body() {
-        PointBody::Solid(lattice) => Block::Solid(solid::solid((scene, lattice), result)),
-        _ => Block::Map(report::map(scene, result)),
+    let mut blocks = vec![match scene.body().is_solid() {
+        true => Block::Solid(solid::solid(scene, result)),
+        false => Block::Map(report::map(scene, result)),
     }];
     if result.recovered.is_some() {
         for (file, diagram) in lines::diagrams(scene, result, &plots::title(scene, result)) {
@@ -118,7 +118,7 @@ fn places(scene: &BodyScene) -> Vec<files::Column> {
     let mut columns = [(); 3].map(|()| Vec::with_capacity(body.points()));
     body.visit(|at| columns.iter_mut().zip(at).for_each(|(column, x)| column.push(x)));
     let named = ["x", "y", "z"].into_iter().zip(columns);
-    named.take(if matches!(body, PointBody::Solid(_)) { 3 } else { 2 }).collect()
+    named.take(body.axes()).collect()
 }
 
 /// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
@@ -162,10 +162,9 @@ fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<(
         unit: files::unit(name, scene.units),
     }));
     // Means and integrals over a solid weigh its points by it.
-    let volumes: Option<Vec<f64>> = match scene.body() {
-        PointBody::Solid(lattice) => Some((0..lattice.points()).map(|p| lattice.volume(p)).collect()),
-        _ => None,
-    };
+    let body = scene.body();
+    let volumes: Option<Vec<f64>> =
+        body.is_solid().then(|| (0..body.points()).map(|p| body.measure(p)).collect());
     let volume = Unit::One.times_length(3, scene.units);
     data.extend(volumes.iter().map(|values| DataArray {
         name: "volume",

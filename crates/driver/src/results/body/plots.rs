@@ -11,7 +11,6 @@ use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
 use crate::scene::words;
-use peristat_assembly::body::PointBody;
 use std::io;
 use std::path::Path;
 
@@ -21,8 +20,8 @@ use std::path::Path;
 /// The folder cannot be written.
 pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io::Result<()> {
     let title = title(scene, result);
-    if let PointBody::Solid(lattice) = scene.body() {
-        return surface::write(folder, (scene, lattice), result, &title);
+    if scene.body().is_solid() {
+        return surface::write(folder, scene, result, &title);
     }
     let raster = Raster::new(scene);
     let apart = raster.between(&result.parted(scene));

@@ -76,9 +76,9 @@ impl Raster {
                 Self { step: step as usize, ..Self::on_grid(size, cells, &node) }
             }
             PointBody::Cloud(cloud) if cloud.points() <= limits.blocks => {
-                let half = |k: usize| 0.5 * cloud.areas()[k].sqrt();
+                let half = |k: usize| 0.5 * cloud.sizes()[k].sqrt();
                 let block = |k: usize| {
-                    let at = cloud.positions()[k];
+                    let at = cloud.place(k);
                     AROUND.map(|side| [0, 1].map(|c| at[c] + f64::from(2 * side[c] - 1) * half(k)))
                 };
                 Self {
@@ -96,7 +96,7 @@ impl Raster {
                 }
                 const SIDE: i32 = 160;
                 let step = (high[0] - low[0]).max(high[1] - low[1]) / f64::from(SIDE);
-                let cell = |at: &[f64; 2]| [0, 1].map(|k| (((at[k] - low[k]) / step) as i32).min(SIDE - 1));
+                let cell = |at: &[f64; 3]| [0, 1].map(|k| (((at[k] - low[k]) / step) as i32).min(SIDE - 1));
                 let node = |index: [i32; 2]| [0, 1].map(|k| low[k] + f64::from(index[k]) * step);
                 Self::on_grid([SIDE; 2], cloud.positions().iter().map(cell), &node)
             }

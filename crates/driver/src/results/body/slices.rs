@@ -22,7 +22,7 @@ const SEEN: [(&str, [usize; 2], [f64; 2], &str); 3] = [
     ("z", [0, 1], [1.0, 1.0], "seen from in front: x to the right, y upwards"),
 ];
 
-/// The slices through the middle of the box across x, y and z; an axis along which there is one block has none.
+/// The slices through the middle of the box across x, y and z, or the nearest cells to it; an axis along which there is one block has none.
 pub(super) fn slices(blocks: &Blocks, values: &[f64]) -> Vec<Slice> {
     let axes = (0..3).filter(|&axis| blocks.size[axis] > 1);
     axes.map(|axis| slice(blocks, values, axis)).collect()
@@ -30,7 +30,10 @@ pub(super) fn slices(blocks: &Blocks, values: &[f64]) -> Vec<Slice> {
 
 fn slice(blocks: &Blocks, values: &[f64], axis: usize) -> Slice {
     let (name, [across, up], signs, seen) = SEEN[axis];
-    let layer = blocks.size[axis] / 2;
+    // The middle may be empty.
+    let middle = blocks.size[axis] / 2;
+    let from_middle = |cell: &Cell| (cell[axis] - middle).abs();
+    let layer = blocks.cells.iter().min_by_key(|cell| from_middle(cell)).map_or(middle, |cell| cell[axis]);
     let corner = |cell: Cell, [right, above]: [i32; 2]| {
         let mut node = cell;
         node[across] += right;
@@ -52,19 +55,19 @@ fn slice(blocks: &Blocks, values: &[f64], axis: usize) -> Slice {
     next[axis] = layer;
     let from = blocks.place(next)[axis];
     next[axis] += 1;
-    let middle = short(0.5 * (from + blocks.place(next)[axis]));
-    Slice { name, note: format!("cells at {name} = {middle}, {seen}; colours of the whole body"), patches }
+    let at = short(0.5 * (from + blocks.place(next)[axis]));
+    Slice { name, note: format!("cells at {name} = {at}, {seen}; colours of the whole body"), patches }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peristat_assembly::body::SquareLattice;
+    use peristat_assembly::body::{PointBody, SquareLattice};
 
     #[test]
     fn slices_show_the_middle_layer_the_right_way_round() {
         let lattice = SquareLattice::cuboid(1.0, [0.0; 3], [3, 2, 4]);
-        let blocks = Blocks::new(&lattice, |_| true);
+        let blocks = Blocks::new(&PointBody::Solid(lattice), |_| true);
         // 100 x + 10 y + z of the middle of a cell.
         let at = |cell: &Cell| [0, 1, 2].map(|k| f64::from(cell[k]) + 0.5);
         let value = |cell: &Cell| 100.0 * at(cell)[0] + 10.0 * at(cell)[1] + at(cell)[2];
@@ -82,6 +85,15 @@ mod tests {
         }
         assert!(all[0].note.starts_with("cells at x = 1.5, seen from the right"), "{}", all[0].note);
         let sheet = SquareLattice::cuboid(1.0, [0.0; 3], [3, 2, 1]);
-        assert_eq!(slices(&Blocks::new(&sheet, |_| true), &[0.0; 6]).len(), 2);
+        assert_eq!(slices(&Blocks::new(&PointBody::Solid(sheet), |_| true), &[0.0; 6]).len(), 2);
+    }
+
+    #[test]
+    fn a_slice_where_the_middle_is_empty_is_beside_it() {
+        let parted = SquareLattice::new(1.0, [0.0; 3], [0..5, 0..2, 0..2], |cell| cell[0] != 2);
+        let blocks = Blocks::new(&PointBody::Solid(parted), |_| true);
+        let all = slices(&blocks, &[1.0; 16]);
+        assert_eq!(all.iter().map(|s| s.patches.len()).collect::<Vec<_>>(), [4, 8, 8]);
+        assert!(all[0].note.starts_with("cells at x = 1.5"), "{}", all[0].note);
     }
 }

@@ -11,7 +11,7 @@ use crate::output::plot::{Light, Map, Patch, write_map};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Cell, SquareLattice, plus};
+use peristat_assembly::body::{Cell, plus};
 use std::collections::HashMap;
 use std::io;
 use std::path::Path;
@@ -23,16 +23,11 @@ const MOST: usize = 40_000;
 ///
 /// # Errors
 /// The folder cannot be written.
-pub(super) fn write(
-    folder: &Path,
-    (scene, lattice): (&BodyScene, &SquareLattice),
-    result: &BodyResult,
-    title: &str,
-) -> io::Result<()> {
+pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult, title: &str) -> io::Result<()> {
     let u =
         [FieldName::Ux, FieldName::Uy, FieldName::Uz].map(|f| result.values(scene, f).unwrap_or_default());
-    let size: Vec<f64> = (0..lattice.points()).map(|p| u[0][p].hypot(u[1][p]).hypot(u[2][p])).collect();
-    let blocks = Blocks::new(lattice, fits);
+    let size: Vec<f64> = (0..scene.body().points()).map(|p| u[0][p].hypot(u[1][p]).hypot(u[2][p])).collect();
+    let blocks = Blocks::new(scene.body(), fits);
     let factor = magnification(size_of(scene), range(scene, &size).0[1]);
     let moved = blocks.moved([&u[0], &u[1], &u[2]], factor);
     let draw = |file: &str, label: &str, values: &[f64], note: &str, patches: Vec<Patch>| {
@@ -126,11 +121,12 @@ fn patches(blocks: &Blocks, values: &[f64], corners: &Corners) -> Vec<Patch> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peristat_assembly::body::{PointBody, SquareLattice};
 
     #[test]
     fn three_sides_of_a_block_are_seen_and_nothing_behind_them() {
         let lattice = SquareLattice::cuboid(0.5, [0.0; 3], [4, 3, 2]);
-        let blocks = Blocks::new(&lattice, fits);
+        let blocks = Blocks::new(&PointBody::Solid(lattice), fits);
         let values = blocks.means(&[1.0; 24]);
         let seen = patches(&blocks, &values, &|node| blocks.place(node));
         assert_eq!(seen.len(), 2 * (4 * 3 + 3 * 2 + 2 * 4));
@@ -146,7 +142,7 @@ mod tests {
         assert!((whole - 26.0 * 0.25 * 0.75_f64.sqrt()).abs() < 1e-12, "{whole}");
         // A hollow in the middle of the front shows its bottom, and hides no more than it covers.
         let hollow = SquareLattice::new(0.5, [0.0; 3], [0..4, 0..3, 0..2], |cell| cell != [1, 1, 1]);
-        let blocks = Blocks::new(&hollow, fits);
+        let blocks = Blocks::new(&PointBody::Solid(hollow), fits);
         let seen = patches(&blocks, &blocks.means(&[1.0; 23]), &|node| blocks.place(node));
         let whole: f64 = seen.iter().map(area).sum();
         assert!((whole - 26.0 * 0.25 * 0.75_f64.sqrt()).abs() < 1e-12, "{whole}");

@@ -9,7 +9,6 @@ use crate::output::plot::{Diagram, Style, thin};
 use crate::output::report::{Axis, Badge, Block, Chart, Frames, Look, Page, Series, Tone};
 use crate::scene::Scene;
 use crate::summary::{Status, Summary};
-use peristat_assembly::body::PointBody;
 use sections::Found;
 use serde::{Deserialize, Serialize};
 
@@ -59,7 +58,7 @@ impl Report {
         let is_traced = scene.case().is_traced();
         let all = !is_traced && states <= MOST_STATES && states * cost <= MOST_POINTS;
         let has_maps = match scene {
-            Scene::Body(scene) => !matches!(scene.body(), PointBody::Solid(_)),
+            Scene::Body(scene) => !scene.body().is_solid(),
             Scene::Plate(_) => true,
             Scene::Beam(_) => false,
         };

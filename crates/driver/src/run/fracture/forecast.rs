@@ -5,7 +5,6 @@ use crate::case::Strategy;
 use crate::run::Sizes;
 use crate::scene::Scene;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::PointBody;
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -36,7 +35,7 @@ pub fn forecast(scene: &Scene, sizes: &Sizes) -> Option<Forecast> {
         }
         Scene::Body(scene) => {
             let fracture = scene.fracture.as_ref()?;
-            let is_solid = matches!(scene.body(), PointBody::Solid(_));
+            let is_solid = scene.body().is_solid();
             (cut_bonds(scene), fracture.steps.strategy, fracture.steps.max_solves, is_solid)
         }
         Scene::Plate(scene) => {

@@ -244,7 +244,12 @@ impl Readings {
             let is_near = || site.ground.point_at(in_space(tip), &at, "", &mut Faults::default()).is_some();
             site.outline.map_or_else(is_near, |outline| outline.contains(tip))
         };
-        let around = tips::Around { symmetry: &site.inputs.symmetry, spacing: site.inputs.body.spacing() };
+        let body = &site.inputs.body;
+        let around = tips::Around {
+            symmetry: &site.inputs.symmetry,
+            spacing: body.spacing(),
+            is_lattice: body.cells().is_some(),
+        };
         let moves = [0, 1].iter().all(|&axis| site.model.along(axis).is_some());
         let is_plane = site.inputs.body.axes() == 2;
         let find = |ends: [[f64; 2]; 2]| {

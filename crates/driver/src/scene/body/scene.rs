@@ -213,7 +213,7 @@ impl BodyScene {
         self.inputs.horizon
     }
 
-    /// Side of a cell, or root of the mean area of listed points, m.
+    /// Side of a cell, or root of the mean area of listed points, in space of their mean volume, m.
     pub fn spacing(&self) -> f64 {
         self.inputs.body.spacing()
     }

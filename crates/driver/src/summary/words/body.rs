@@ -41,7 +41,11 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
         }
         Some(Edges::Border) => "bonds end on the border, which moves with the points beside it".into(),
         Some(Edges::Overlay) => {
-            let what = if m.is_solid { "points have tetrahedra that" } else { "triangles" };
+            let what = match (m.is_solid, m.lattice) {
+                (true, true) => "points have tetrahedra that",
+                (true, false) => "tetrahedra",
+                (false, _) => "triangles",
+            };
             format!("{} {what} replace missing bonds", m.triangles)
         }
         Some(Edges::Volume) => "bonds are stiffened by the missing volume".into(),

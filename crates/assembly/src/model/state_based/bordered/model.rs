@@ -37,7 +37,7 @@ impl Model<2> for BorderedState {
     }
 
     fn calibration_error(&self) -> f64 {
-        calibration_error(self)
+        calibration_error(self, 2)
     }
 
     fn contrast(&self) -> f64 {

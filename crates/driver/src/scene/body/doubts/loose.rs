@@ -1,10 +1,11 @@
-//! Points that their bonds do not hold: with one bond, or bonds on one line, they can move without any force.
+//! Points that their bonds do not hold: with one bond, or bonds on one line, in space in one plane, they can move without any force.
 
 use crate::diagnostic::{Faults, root};
 use crate::scene::body::hold::conditions::Conditions;
 use crate::scene::body::scene::BodyScene;
 use crate::scene::body::site::body;
 use crate::scene::words;
+use nalgebra::Matrix3;
 use peristat_assembly::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,13 +18,20 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
     let mut blocks = vec![[[0.0; D]; D]; model.points()];
     let mut loose: Vec<usize> =
         scene.real_points().filter(|point| !held.contains(&(*point as u32))).collect();
+    // Bonds of listed points in space can lie in one plane.
+    let is_listed = scene.body().is_solid() && scene.body().cells().is_none();
+    let directions = if is_listed { held_directions(&scene.conditions) } else { BTreeMap::new() };
+    let is_free = |point: usize, block: &[[f64; D]; D]| match is_listed {
+        true => is_free_in_space(block, directions.get(&(point as u32)).map_or(&[], Vec::as_slice)),
+        false => is_singular(block),
+    };
     for term in model.terms() {
         // What holds a point without the other terms holds it with them.
         if loose.is_empty() {
             return;
         }
         term.add_diagonal(&mut blocks);
-        loose.retain(|point| is_singular(&blocks[*point]));
+        loose.retain(|point| is_free(*point, &blocks[*point]));
     }
     let (on_lines, without): (Vec<usize>, Vec<usize>) =
         loose.into_iter().partition(|&point| trace(&blocks[point]) > 0.0);
@@ -46,7 +54,7 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
     );
     complain(
         &on_lines,
-        "bonds on one line only",
+        if is_listed { "bonds in one plane only" } else { "bonds on one line only" },
         "cracks cut what else would hold it: move them away from the point, or use a smaller spacing",
     );
 }
@@ -60,10 +68,27 @@ fn is_singular<const D: usize>(block: &[[f64; D]; D]) -> bool {
     !is_held && a * d - b * b <= SINGULAR * trace * trace
 }
 
-/// Twice the mean stiffness of a point along two axes.
+/// Whether a point in space with a stiffness can move without any force, where supports hold it in some directions, unit vectors.
+fn is_free_in_space<const D: usize>(block: &[[f64; D]; D], held: &[[f64; 3]]) -> bool {
+    let scale = if trace(block) > 0.0 { trace(block) } else { 1.0 };
+    let of_bonds = |r: usize, c: usize| block.get(r).and_then(|row| row.get(c)).copied().unwrap_or_default();
+    let of_supports = |r: usize, c: usize| scale * held.iter().map(|d| d[r] * d[c]).sum::<f64>();
+    let whole = Matrix3::from_fn(|r, c| of_bonds(r, c) + of_supports(r, c));
+    whole.determinant() <= SINGULAR * scale.powi(3)
+}
+
+/// The directions in which supports hold points.
+fn held_directions(conditions: &Conditions) -> BTreeMap<u32, Vec<[f64; 3]>> {
+    let mut directions: BTreeMap<u32, Vec<[f64; 3]>> = BTreeMap::new();
+    for hold in &conditions.holds {
+        hold.points.iter().for_each(|&point| directions.entry(point).or_default().push(hold.direction));
+    }
+    directions
+}
+
+/// The sum of the stiffnesses of a point.
 fn trace<const D: usize>(block: &[[f64; D]; D]) -> f64 {
-    let (a, _, d) = in_plane(block);
-    a + d
+    (0..D).map(|k| block[k][k]).sum()
 }
 
 /// The stiffness of a point along two axes; where it has one unknown, every bond resists all of its motion.

@@ -1,6 +1,6 @@
 //! Doubts about a body that can be solved.
 
-use super::{bridges, clamped, held_corner, stairs};
+use super::{bridges, clamped, held_corner, scattered, stairs};
 use crate::case::{Support, Units};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::model::HeldRegion;
@@ -72,6 +72,7 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
     clamped::warn(scene, faults);
     held_corner::warn(scene, faults);
     stairs::warn(scene, faults);
+    scattered::warn(scene, faults);
     let held: Vec<HeldRegion> = scene.case.supports.iter().enumerate().flat_map(held).collect();
     scene.material().warn(&scene.resolved(&held), faults);
     for (key, value) in scene.material().youngs_moduli() {

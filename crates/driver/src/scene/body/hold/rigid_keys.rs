@@ -127,8 +127,8 @@ fn motions(
 
 /// Centroid of points of a body.
 pub(crate) fn centroid(points: &[u32], body: &PointBody) -> [f64; 3] {
-    let area = |p: &u32| body.area(*p as usize);
-    let whole: f64 = points.iter().map(area).sum();
-    let moment = |k: usize| points.iter().map(|p| area(p) * body.position(*p as usize)[k]).sum::<f64>();
+    let size = |p: &u32| body.measure(*p as usize);
+    let whole: f64 = points.iter().map(size).sum();
+    let moment = |k: usize| points.iter().map(|p| size(p) * body.position(*p as usize)[k]).sum::<f64>();
     [0, 1, 2].map(|k| moment(k) / whole)
 }

@@ -10,7 +10,6 @@ use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::symmetry::Symmetry;
 use crate::scene::prescribed::{Along, Prescribed};
-use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 
 /// What the resolution of loads looks at.
@@ -36,10 +35,8 @@ impl LoadContext<'_> {
     /// Volume of a point of the body, m³.
     pub(crate) fn volume(&self, point: u32) -> f64 {
         let body = self.ground.body;
-        match body {
-            PointBody::Solid(lattice) => lattice.volume(point as usize),
-            _ => body.area(point as usize) * self.material.across(body.place(point as usize)),
-        }
+        let measure = body.measure(point as usize);
+        if body.is_solid() { measure } else { measure * self.material.across(body.place(point as usize)) }
     }
 
     /// The numbers of a force by `key`, along x, y and z; none where their count is not that of the axes along which points move, or

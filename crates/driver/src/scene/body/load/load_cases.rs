@@ -29,7 +29,7 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                     mass::gravity(load, context, &path.key("gravity"), &mut resolved, faults)
                 }
                 Load::Spin(load) => mass::spin(load, context, &path.key("spin"), &mut resolved, faults),
-                Load::Traction(load) if !context.ground.walls.is_empty() => {
+                Load::Traction(load) if context.ground.body.is_solid() => {
                     on_wall::resolve(load, context, &path.key("traction"), &mut resolved, faults)
                 }
                 Load::Traction(load) => {

@@ -27,7 +27,7 @@ pub(crate) fn resolve(
     let k = pressure.wave_number;
     let Some(hoop) = pressure.hoop_stress else {
         let force = |p: u32| {
-            let area = context.ground.body.area(p as usize);
+            let area = context.ground.body.measure(p as usize);
             (p, [0.0, 0.0, pressure.value * area * (k * arc(p)).cos()])
         };
         to.forces.extend(points.map(force));

@@ -54,7 +54,7 @@ pub(crate) fn intensities(
         };
         let tips = match (&cracks[crack].crack, given.tips) {
             (solid, tips) if solid.surface().is_some() => {
-                check_front((solid, tips), around.spacing, &path, faults);
+                check_front((solid, tips), around, &path, faults);
                 None
             }
             (_, None) => {
@@ -150,12 +150,26 @@ fn check_tips(
 }
 
 /// Faults of a crack in a solid that has no front to move.
-fn check_front((crack, tips): (&Crack, Option<Tips>), spacing: f64, path: &JsonPath, faults: &mut Faults) {
+fn check_front(
+    (crack, tips): (&Crack, Option<Tips>),
+    around: &tips::Around,
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
+    if !around.is_lattice {
+        faults
+            .error(
+                path.key("crack"),
+                "the area by which a crack grows is counted in cells, which listed points have not",
+            )
+            .hint("find the stress intensity from the energies of two runs with cracks of different size");
+        return;
+    }
     if tips.is_some() {
         faults.error(path.key("tips"), "the front of a crack in a solid has no tips").hint("leave it out");
     }
     let radius = crack.surface().and_then(CrackSurface::front_radius);
-    if radius.is_some_and(|radius| radius < FEW * spacing) {
+    if radius.is_some_and(|radius| radius < FEW * around.spacing) {
         faults
             .warning(
                 path.key("crack"),

@@ -151,8 +151,8 @@ fn resolve(
     let field = |weights| Quantity::Field { field, weights };
     if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
         let points = ground.region(name, &at.key("region"), faults)?;
-        let whole: f64 = points.iter().map(|&p| ground.body.area(p as usize)).sum();
-        let mean = points.iter().map(|&p| (number(p), ground.body.area(p as usize) / whole)).collect();
+        let whole: f64 = points.iter().map(|&p| ground.body.measure(p as usize)).sum();
+        let mean = points.iter().map(|&p| (number(p), ground.body.measure(p as usize) / whole)).collect();
         let inside = if edge_mean::ends_rows(name, site) { ", half a spacing inside" } else { "" };
         return Some((field(mean), format!("mean of the points of `{name}`{inside}")));
     }

@@ -3,7 +3,7 @@
 use super::drawn::Plan;
 use super::snap::Snap;
 use super::{border_names, boundary, drawn, files, solid, solid_file};
-use crate::case::{Body, Case, Hole};
+use crate::case::{Body, Case, Hole, PointsBody};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
@@ -73,7 +73,10 @@ pub(crate) fn build(
         if let Body::Solid(given) = &case.body {
             return solid_file::build(given, folder, &path, max_memory, faults);
         }
-        let (body, solid) = solid::build(case, &path, max_memory, faults)?;
+        if let (Body::Points(b), true) = (&case.body, keys.takes_points()) {
+            return listed(b, keys, folder, &path, max_memory, faults);
+        }
+        let (body, solid) = solid::build((case, keys), &path, max_memory, faults)?;
         return Some(Built { solid: Some(solid), ..Built::of(body) });
     }
     let mut drawn = None;
@@ -93,13 +96,7 @@ pub(crate) fn build(
             drawn = Some(plan);
             (outline, b.spacing)
         }
-        Body::Points(b) => {
-            let (body, file) = files::points(folder, &b.file, keys.thickness(), max_memory, &path, faults)?;
-            if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
-                return None;
-            }
-            return Some(Built { file: Some(file), ..Built::of(body) });
-        }
+        Body::Points(b) => return listed(b, keys, folder, &path, max_memory, faults),
         Body::Mesh(b) => {
             let (body, curves, file) = files::mesh(folder, &b.file, max_memory, &path, faults)?;
             if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
@@ -121,6 +118,21 @@ pub(crate) fn build(
     };
     border_names::give(case, &mut outline, faults);
     fill((case, keys), (outline, spacing), drawn, max_memory, faults)
+}
+
+/// A body of listed points.
+fn listed(
+    given: &PointsBody,
+    keys: &dyn Keys,
+    folder: &Folder,
+    path: &JsonPath,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Built> {
+    let kind = (if keys.is_solid() { 3 } else { 2 }, keys.thickness());
+    let (body, file) = files::points(folder, &given.file, kind, max_memory, path, faults)?;
+    let fine = resolves(bounds(&body), body.spacing(), &path.key("file"), faults);
+    fine.then(|| Built { file: Some(file), ..Built::of(body) })
 }
 
 /// An outline filled with points.

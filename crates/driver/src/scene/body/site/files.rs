@@ -7,17 +7,17 @@ use crate::input::surface::SolidFile;
 use crate::input::{Folder, ReadError, Refusal, points, solid, stl, table};
 use peristat_assembly::body::{Facet, PointBody};
 
-/// The body of a list of points, of this thickness, and the hash of the file.
+/// The body of a list of points with this number of coordinates, in the plane of this thickness, and the hash of the file.
 pub(crate) fn points(
     folder: &Folder,
     file: &str,
-    thickness: f64,
+    (axes, thickness): (usize, f64),
     max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(PointBody, blake3::Hash)> {
     let bytes = bytes(folder, file, "points", max_memory, path, faults)?;
-    let cloud = points::read(&bytes).and_then(|points| points.cloud(thickness));
+    let cloud = points::read(&bytes, axes).and_then(|points| points.cloud(thickness));
     let cloud = cloud.map_err(|error| refuse(file, "points", &error, path, faults)).ok()?;
     Some((PointBody::Cloud(cloud), blake3::hash(&bytes)))
 }

@@ -84,9 +84,7 @@ pub(crate) fn read(
                 root(of_case::horizon_key(case)),
                 format!("a horizon of {} spacings has too many bonds per point", tidy(ratio)),
             )
-            .hint(format!(
-                "the largest horizon ratio of bodies in the plane is {MOST_RATIO}; more than 12 never pays"
-            ));
+            .hint(format!("the largest horizon ratio of bodies is {MOST_RATIO}; more than 12 never pays"));
         return None;
     }
     if ratio > MOST_BEYOND && !ends_within((&body, outline.as_ref()), ratio, &symmetry, case, faults) {

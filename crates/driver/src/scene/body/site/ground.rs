@@ -305,15 +305,14 @@ impl<'a> Ground<'a> {
 
     /// A point that is nearest to a position.
     fn nearest(&self, at: [f64; 3]) -> Option<u32> {
-        let region = match self.body {
-            PointBody::Solid(_) => Region::Solid(SolidRegion::Corner { at }),
-            _ => Region::Corner { at: [at[0], at[1]] },
-        };
+        let [x, y, _] = at;
+        let flat = Region::Corner { at: [x, y] };
+        let region = if self.body.is_solid() { Region::Solid(SolidRegion::Corner { at }) } else { flat };
         self.select(&region).ok()?.first().copied()
     }
 
-    /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole one where
-    /// rows are turned, on a border but for rounding and, with the limit `local`, in the body: there cells may have their centres outside.
+    /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, a whole one where rows
+    /// are turned, on a border but for rounding and, with the limit `local`, in the body, a spacing of listed points in space.
     pub(crate) fn point_at(
         &self,
         position: [f64; 3],
@@ -336,6 +335,7 @@ impl<'a> Ground<'a> {
         let is_told = |o: &Outline| o.borders(place, slack) || self.case.is_corrected() && o.contains(place);
         let most = match self.body {
             PointBody::Lattice(lattice) if lattice.is_turned() || self.outline.is_some_and(is_told) => SQRT_2,
+            PointBody::Cloud(cloud) if self.body.is_solid() => cloud.width(nearest as usize).max(1.0),
             body => 0.5 * (body.axes() as f64).sqrt(),
         };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {

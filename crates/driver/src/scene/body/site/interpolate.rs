@@ -1,15 +1,10 @@
 //! Values at any position as sums over points.
 
-use peristat_assembly::body::{
-    CRACK_SLACK, Cell, Crack, PointBody, Region, Regions, SquareLattice, in_space,
-};
-use std::collections::BTreeMap;
+use super::listed;
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, in_space};
 
 /// Points and their shares; the shares sum to one.
 pub type Weights = Vec<(u32, f64)>;
-
-/// Points of a cloud among which a triangle is looked for.
-const NEAREST: usize = 16;
 
 /// What values are interpolated on.
 pub(crate) struct Interpolation<'a> {
@@ -23,24 +18,13 @@ pub(crate) struct Interpolation<'a> {
 
 impl Interpolation<'_> {
     /// Weights at a position in the body: linear along each axis between the four points of a lattice around it, eight of a solid,
-    /// or next to it near an edge; linear in a triangle of listed points; else those of the nearest point. No crack runs in between.
+    /// or next to it near an edge; linear in a triangle or a tetrahedron of listed points; else those of the nearest point. No crack runs in between.
     pub(crate) fn at(&self, at: [f64; 3], nearest: u32) -> Weights {
         let position = [at[0], at[1]];
         let found = match self.body {
             PointBody::Solid(lattice) => self.trilinear(lattice, at),
             PointBody::Lattice(lattice) => self.bilinear(lattice, position),
-            PointBody::Cloud(cloud) => {
-                let slack = 4.0 * self.body.spacing();
-                let regions = Regions {
-                    body: self.body,
-                    outline: None,
-                    walls: &[],
-                    parts: &[],
-                    named: &BTreeMap::new(),
-                };
-                let near = regions.select(&Region::Disc { centre: position, radius: slack });
-                self.in_triangle(cloud.positions(), near.unwrap_or_default(), position)
-            }
+            PointBody::Cloud(cloud) => listed::weights(cloud, self.body, at, &|point| self.sees(at, point)),
         };
         found.unwrap_or_else(|| vec![(nearest, 1.0)])
     }
@@ -75,39 +59,6 @@ impl Interpolation<'_> {
             let corners: Option<Weights> = [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(corner).collect();
             corners.map(|all| all.into_iter().filter(|w| w.1 != 0.0).collect())
         })
-    }
-
-    fn in_triangle(&self, positions: &[[f64; 2]], mut near: Vec<u32>, position: [f64; 2]) -> Option<Weights> {
-        let at = |p: u32| positions[p as usize];
-        let distance = |p: u32| (at(p)[0] - position[0]).hypot(at(p)[1] - position[1]);
-        near.retain(|&p| self.sees(in_space(position), in_space(at(p))));
-        near.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-        near.truncate(NEAREST);
-        let cross = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
-            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-        };
-        let mut best: Option<(f64, Weights)> = None;
-        for (i, &a) in near.iter().enumerate() {
-            for (j, &b) in near.iter().enumerate().skip(i + 1) {
-                for &c in &near[j + 1..] {
-                    let area = cross(at(a), at(b), at(c));
-                    if area.abs() < 1e-3 * self.body.spacing().powi(2) {
-                        continue;
-                    }
-                    let shares = [
-                        cross(position, at(b), at(c)) / area,
-                        cross(at(a), position, at(c)) / area,
-                        cross(at(a), at(b), position) / area,
-                    ];
-                    let size = distance(a) + distance(b) + distance(c);
-                    let inside = shares.iter().all(|s| *s >= -1e-9);
-                    if inside && best.as_ref().is_none_or(|(least, _)| size < *least) {
-                        best = Some((size, vec![(a, shares[0]), (b, shares[1]), (c, shares[2])]));
-                    }
-                }
-            }
-        }
-        best.map(|b| b.1)
     }
 
     /// Weights at a position on an edge: a parabola through three points on each of the two lattice lines beside it that go

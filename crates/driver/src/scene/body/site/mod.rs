@@ -14,6 +14,7 @@ pub(crate) mod ground;
 pub(crate) mod held_angle;
 pub(crate) mod holes;
 pub(crate) mod interpolate;
+mod listed;
 pub(crate) mod materials;
 pub(crate) mod model_inputs;
 mod modulus;

@@ -6,7 +6,7 @@ use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
 use crate::case::Case;
 use crate::model::{AnyBody, Material, Mixture, OnGround, OnLattice, Refusal};
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds, in_space};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
 use std::ops::Range;
@@ -66,12 +66,10 @@ impl ModelInputs {
             PointBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let apart = bearing::between(&self.bearings, &self.body);
-                let cut = |a: [f64; 2], b: [f64; 2]| {
-                    let ends = [in_space(a), in_space(b)];
-                    cracks.iter().any(|c| c.cuts(ends[0], ends[1], slack)) || apart(a, b)
+                let cut = |a: [f64; 3], b: [f64; 3]| {
+                    cracks.iter().any(|c| c.cuts(a, b, slack)) || apart([a[0], a[1]], [b[0], b[1]])
                 };
-                let points = (cloud.positions().to_vec(), cloud.areas().to_vec());
-                self.material.on_points(points, self.horizon, &cut)
+                self.material.on_points(cloud, self.horizon, &cut)
             }
         }
     }
@@ -119,7 +117,7 @@ impl ModelInputs {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let neighbours = cloud.neighbours(self.horizon * (1.0 + 1e-9));
                 let at = |p: u32| cloud.positions()[p as usize];
-                neighbours.pairs().any(|[i, j]| crack.cuts(in_space(at(i)), in_space(at(j)), slack))
+                neighbours.pairs().any(|[i, j]| crack.cuts(at(i), at(j), slack))
             }
         }
     }

@@ -25,6 +25,8 @@ const CUT_BORDER: [f64; 2] = [18_000.0, 2000.0];
 const CUT_SPRINGS: f64 = 12_500.0;
 /// Of a bond of listed points while it is made. Measured 98 with four million of them.
 const LISTED: f64 = 98.0;
+/// The same in space, and of such a point with its tetrahedra.
+const LISTED_IN_SPACE: [f64; 2] = [190.0, 7500.0];
 /// Of a spacing of a border that completes families, and of each squared spacing of the horizon beside it. Measured 24 000 and
 /// 116 000 with horizons of three and six spacings around 64 holes.
 const FAMILIES: [f64; 2] = [10_000.0, 3_200.0];
@@ -57,6 +59,10 @@ pub(crate) fn fits(
     let cut = CUT * (crack * 2.0 / 3.0 * m.powi(3)).min(0.5 * points * family);
     let own = match body {
         // Listed points may lie close together in places.
+        PointBody::Cloud(cloud) if body.is_solid() => {
+            let [of_pair, of_point] = LISTED_IN_SPACE;
+            of_pair * cloud.about_pairs(m * body.spacing()) + of_point * points
+        }
         PointBody::Cloud(cloud) => LISTED * cloud.about_pairs(m * body.spacing()),
         PointBody::Lattice(_) if about.has_families && about.edges == Some(Edges::Border) => {
             border * (FAMILIES[0] + FAMILIES[1] * m * m)

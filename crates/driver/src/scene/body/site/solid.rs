@@ -4,19 +4,26 @@ use super::body::{BuiltSolid, PER_POINT, resolves};
 use crate::case::{BallCut, Body, BoreCut, Case, SolidCut};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::memory;
+use crate::model::Keys;
 use peristat_assembly::body::{Cut, CutError, PointBody, ShapeError, SolidShape};
 
 /// The body of a case whose model is one of solids.
 pub(crate) fn build(
-    case: &Case,
+    (case, keys): (&Case, &dyn Keys),
     path: &JsonPath,
     max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> Option<(PointBody, BuiltSolid)> {
     let Body::Block(given) = &case.body else {
-        faults
-            .error(root("body"), format!("the model `{}` needs a body in space", case.model.name()))
-            .hint("take `block` or `solid`; `rectangle` and `outline` are for bodies in the plane");
+        let name = case.model.name();
+        if matches!(case.body, Body::Points(_)) {
+            let message = format!("the model `{name}` takes no listed points");
+            faults.error(path.clone(), message).hint("listed points are for solids of central bonds");
+            return None;
+        }
+        let bodies = if keys.takes_points() { "`block`, `solid` or `points`" } else { "`block` or `solid`" };
+        let hint = format!("take {bodies}; `rectangle` and `outline` are for bodies in the plane");
+        faults.error(root("body"), format!("the model `{name}` needs a body in space")).hint(hint);
         return None;
     };
     let mut shape = match SolidShape::block(given.from, given.size) {

@@ -74,7 +74,7 @@ pub(crate) fn symmetry(
         };
         let (Some(sides), Some(lattice)) = (sides, lattice) else {
             faults
-                .error(path, "mirrors need a body that fills a lattice: `rectangle` or `outline`")
+                .error(path, "mirrors need a body that fills a lattice: `rectangle` or `outline`, in space `block` or `solid`")
                 .hint("hold the displacement across the line of symmetry by a support instead");
             continue;
         };

@@ -10,6 +10,8 @@ pub(crate) struct Around<'a> {
     pub(crate) symmetry: &'a Symmetry,
     /// Spacing, m: how far tips move.
     pub(crate) spacing: f64,
+    /// Whether points fill a lattice.
+    pub(crate) is_lattice: bool,
 }
 
 /// What a tip lies on or would grow into; `before` is the next vertex of its crack.

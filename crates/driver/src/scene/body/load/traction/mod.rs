@@ -1,6 +1,7 @@
 //! Tractions on borders.
 
 pub(crate) mod add;
+mod contact;
 pub(crate) mod fading;
 pub(crate) mod lump;
 pub(crate) mod on_border;

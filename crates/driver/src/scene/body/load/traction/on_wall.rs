@@ -18,6 +18,8 @@ use peristat_assembly::body::{Cell, Patch, PointBody, Side, SquareLattice, WallS
 
 /// Arms over spacings that are rounding.
 const ROUNDING: f64 = 1e-9;
+/// Part of a contact by which its face may miss it.
+const PARTLY: f64 = 1e-6;
 
 /// Adds a traction on a wall.
 pub(crate) fn resolve(
@@ -27,6 +29,12 @@ pub(crate) fn resolve(
     to: &mut BodyLoads,
     faults: &mut Faults,
 ) {
+    let PointBody::Solid(lattice) = context.ground.body else {
+        faults
+            .error(path.clone(), "listed points have no faces on which a traction could act")
+            .hint("use a `point` load on a region, which its points share, or a `body_force`");
+        return;
+    };
     let place = path.key("face");
     if load.edge.is_some() {
         faults
@@ -45,13 +53,16 @@ pub(crate) fn resolve(
         faults.error(place, format!("there is no face `{name}`")).hint(suggest(name, known));
         return;
     };
-    let PointBody::Solid(lattice) = context.ground.body else { return };
     let sides = wall.areas(lattice);
     if sides.is_empty() {
         faults.error(place, format!("nothing is left of the face `{name}`"));
         return;
     }
     let Some(value) = wall_value::value(load, (wall, lattice), context, path, faults) else { return };
+    if let Some(contact) = value.contact() {
+        let part = contact.part_on(&sides, lattice, &context.symmetry.goes_on);
+        tell_of_part(part, name, path.key("hertz").key("centre"), faults);
+    }
     if wall.patch().is_some_and(Patch::is_slanted) {
         warn_of_slanted(name, place.clone(), faults);
     }
@@ -98,6 +109,19 @@ fn act(
         }
     }
     has_lost_arm
+}
+
+/// A contact that reaches beyond its face, over a hole in it, or over a plane behind which the body goes on.
+fn tell_of_part(part: f64, name: &str, place: JsonPath, faults: &mut Faults) {
+    if part == 0.0 {
+        faults.error(place, format!("the contact is beside the face `{name}`"));
+    } else if (part - 1.0).abs() > PARTLY {
+        let message = format!(
+            "of the contact {} % lies on the face `{name}`: what is beside it does not act",
+            tidy((1000.0 * part).round() / 10.0)
+        );
+        faults.warning(place, message).hint("where the body goes on behind a plane of symmetry, the middle of a contact belongs on that plane");
+    }
 }
 
 /// Stairs give way more than a round border does. At two spacings a thick tube of 5, 10, 20 cells per radius widens by 7, 3, 2.4 % too

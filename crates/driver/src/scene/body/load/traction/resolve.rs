@@ -1,8 +1,9 @@
 //! Tractions as cases give them.
 
+use super::contact;
 use super::on_border::{OnBorder, misses_at_mirrors};
 use super::profile::Profile;
-use crate::case::{Hertz, LoadSharing, Traction, Vector};
+use crate::case::{ContactCentre, Hertz, LoadSharing, Traction, Vector};
 use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::site::boundary::{self, Border, Stretch, is_aligned};
@@ -197,31 +198,26 @@ fn on_edge(
     let length = (edge.to[0] - edge.from[0]).hypot(edge.to[1] - edge.from[1]);
     let reach = load.radius * extent.abs() / length;
     let [low, high] = [edge.from[along].min(edge.to[along]), edge.from[along].max(edge.to[along])];
-    if load.centre + reach <= low || high <= load.centre - reach {
-        let (at, name) = (path.key("centre"), ["x", "y"][along]);
-        faults
-            .error(
-                at,
-                format!("the contact is beside the edge, which reaches from {} to {}", tidy(low), tidy(high)),
-            )
-            .hint(format!("`centre` is the {name} of its middle"));
+    let name = ["x", "y"][along];
+    let centre = match load.centre {
+        Some(ContactCentre::Along(centre)) => centre,
+        None => 0.0,
+        Some(ContactCentre::At(_)) => {
+            let message = "three numbers are a point of a face: this is an edge in the plane";
+            faults.error(path.key("centre"), message).hint(format!("`centre` is the {name} of its middle"));
+            return None;
+        }
+    };
+    if centre + reach <= low || high <= centre - reach {
+        let message =
+            format!("the contact is beside the edge, which reaches from {} to {}", tidy(low), tidy(high));
+        faults.error(path.key("centre"), message).hint(format!("`centre` is the {name} of its middle"));
         return None;
     }
-    if load.radius < spacing {
-        faults
-            .error(path.key("radius"), "the contact is narrower than two spacings: points hardly feel it")
-            .hint("use a smaller spacing, ten over the radius, or a `point` load");
+    if !contact::is_wide_enough(load.radius, spacing, path, faults) {
         return None;
     }
-    if load.radius < 4.0 * spacing {
-        faults
-            .warning(
-                path.key("radius"),
-                format!("the contact is {} spacings wide at most", tidy(2.0 * load.radius / spacing)),
-            )
-            .hint("stresses near it need ten spacings or more over its radius");
-    }
-    let place = (load.centre - edge.from[along]) / extent;
+    let place = (centre - edge.from[along]) / extent;
     Some(Profile::Hertz { centre: place, radius: load.radius / length, peak: load.peak })
 }
 

@@ -1,5 +1,6 @@
 //! What a traction on a wall of a solid is: its values, from the key that says them.
 
+use super::contact::{Contact, SLACK};
 use super::profile::Profile;
 use crate::case::{Amount, SpaceAxis, Traction};
 use crate::diagnostic::{Faults, JsonPath};
@@ -23,6 +24,8 @@ pub(super) enum WallValue {
     Formula(Along),
     /// Against the normal, by one.
     PressureFormula(Prescribed),
+    /// Against the normal, as a round body presses.
+    Contact(Contact),
     /// It varies along an axis, from the first number of metres to the second.
     Along(usize, [f64; 2], Profile),
 }
@@ -47,6 +50,7 @@ impl WallValue {
             Self::Uniform(traction) => vec![(middle, traction.map(|t| t * own.area))],
             Self::Pressure(pressure) => vec![(middle, own.outwards.map(|a| -a * pressure))],
             Self::Total(total) => vec![(middle, total.map(|f| f * own.area / whole))],
+            Self::Contact(contact) => contact.on(own, lattice).into_iter().collect(),
             Self::Along(axis, [from, to], profile) => [-GAUSS, GAUSS]
                 .map(|part| {
                     let mut at = middle;
@@ -98,6 +102,11 @@ pub(super) fn value(
             Prescribed::Number(pressure) => WallValue::Pressure(pressure),
             formula => WallValue::PressureFormula(formula),
         },
+        Traction { hertz: Some(given), .. } => {
+            let face = (*wall.face()?, wall.name.as_str());
+            let slack = SLACK[usize::from(wall.patch().is_some())];
+            WallValue::Contact(Contact::on_face(given, face, (lattice.spacing(), slack), &at, faults)?)
+        }
         _ => WallValue::Pressure(0.0),
     };
     if value.is_zero() && context.factor.is_none() {
@@ -112,10 +121,9 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
     let values = match (is_round, wall.face()) {
         (true, _) => "give one of `pressure` and `total`",
         (_, None) if wall.patch().is_some() => "give one of `uniform`, `formula`, `pressure` and `total`",
-        _ => "give one of `uniform`, `formula`, `pressure`, `total`, `linear` and `parabolic`",
+        _ => "give one of `uniform`, `formula`, `pressure`, `total`, `linear`, `parabolic` and `hertz`",
     };
     let given = [
-        ("hertz", load.hertz.is_some()),
         ("depth", load.depth.is_some()),
         ("sharing", load.sharing.is_some()),
         ("uniform", load.uniform.is_some()),
@@ -124,16 +132,18 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
         ("total", load.total.is_some()),
         ("linear", load.linear.is_some()),
         ("parabolic", load.parabolic.is_some()),
+        ("hertz", load.hertz.is_some()),
     ];
     let keys: Vec<&'static str> = given.iter().filter(|given| given.1).map(|given| given.0).collect();
     let varies = |key: &str| ["linear", "parabolic"].contains(&key);
+    let is_flat = |key: &str| varies(key) || key == "hertz";
     let (place, message, hint) = match keys[..] {
         [] => (path.clone(), "the value of this traction is missing".to_string(), values),
-        [key @ ("hertz" | "depth" | "sharing"), ..] => {
+        [key @ ("depth" | "sharing"), ..] => {
             (path.key(key), format!("`{key}` is for edges in the plane"), values)
         }
         [first, second, ..] => (path.key(second), format!("`{first}` and `{second}` are both given"), values),
-        [key] if wall.face().is_none() && varies(key) || is_round && key == "uniform" => {
+        [key] if wall.face().is_none() && is_flat(key) || is_round && key == "uniform" => {
             (path.key(key), format!("`{key}` is for flat faces across an axis"), values)
         }
         ["pressure"] if wall.face().is_none() && matches!(load.pressure, Some(Amount::Formula(_))) => (
@@ -152,11 +162,20 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
 }
 
 impl WallValue {
+    /// The contact that it is, if it is one.
+    pub(super) fn contact(&self) -> Option<&Contact> {
+        match self {
+            Self::Contact(contact) => Some(contact),
+            _ => None,
+        }
+    }
+
     fn is_zero(&self) -> bool {
         match self {
             Self::Formula(_) | Self::PressureFormula(_) => false,
             Self::Uniform(t) | Self::Total(t) => *t == [0.0; 3],
             Self::Pressure(pressure) => *pressure == 0.0,
+            Self::Contact(contact) => contact.is_zero(),
             Self::Along(.., profile) => {
                 [0.0, 0.5, 1.0].iter().all(|&place| profile.at(place, [0.0; 2], [0.0; 2]) == [0.0; 3])
             }
