@@ -28,8 +28,8 @@ const COARSEST: usize = 6000;
 /// Memory of the matrices and factors of its levels where these are assembled, bytes per point and per entry of the stiffness:
 /// measured on tubes of 20 000 to 1e5 points, with bending and without, where the estimate is 1.1 to 1.5 times what a run takes.
 const MATRICES: [usize; 2] = [9000, 26];
-/// Memory of a solve with the blocks of the points, bytes per unknown: vectors and inverse blocks.
-const BLOCKS: usize = 90;
+/// Memory of a solve with the blocks of the points, bytes per point: vectors and inverse blocks.
+const BLOCKS: usize = 166;
 
 /// Memory of bonds, matrix, factor and vectors, bytes; and, with `recover`, of fields and their files.
 pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) -> u64 {
@@ -40,7 +40,7 @@ pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) 
             8 * VECTORS * unknowns + problem.solid_bytes(true).unwrap_or_else(|| matrix(problem, &sizes))
         }
         Plan::Cycle => problem.solid_bytes(false).unwrap_or_else(|| cycle(problem, &sizes)),
-        Plan::Blocks => problem.solid_bytes(false).unwrap_or(D * BLOCKS * problem.model().points()),
+        Plan::Blocks => problem.solid_bytes(false).unwrap_or(BLOCKS * problem.model().points()),
     };
     // The last state is recorded without the factor, unless it may not be the last.
     total(

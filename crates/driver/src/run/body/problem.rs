@@ -127,7 +127,11 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
     fn solid_bytes(&self, with_factor: bool) -> Option<usize> {
         let about = self.scene.material().about();
         if self.scene.body().axes() > 2 && self.model.lattice().is_none() {
-            return with_factor.then(|| solid_memory::of_listed_factor(self.model.points(), &about));
+            let points = self.model.points();
+            return Some(match with_factor {
+                true => solid_memory::of_listed_factor(points, &about),
+                false => solid_memory::of_listed(points, self.model.sizes().elements),
+            });
         }
         let (lattice, _) = self.model.lattice().filter(|(lattice, _)| !lattice.is_plane())?;
         if with_factor {

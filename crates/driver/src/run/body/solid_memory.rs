@@ -44,6 +44,12 @@ pub(super) fn of_listed_factor(points: usize, about: &About) -> usize {
     of_matrix(points as f64, about, |_| f64::INFINITY)
 }
 
+/// The same solved with the blocks of its points, bytes: vectors and blocks, and what bonds take while they are made. Measured 517 MB for
+/// 41 472 points with three spacings per horizon, of which the estimate is 1.2 times as much.
+pub(super) fn of_listed(points: usize, bonds: usize) -> usize {
+    270 * points + 60 * bonds
+}
+
 /// Memory of a stiffness and its factor, bytes, which has no more blocks than in a band by the reach.
 fn of_matrix(points: f64, about: &About, banded: impl Fn(f64) -> f64) -> usize {
     let [couples, fills] = if about.has_families { FAMILIES } else { [1.0; 2] };
