@@ -89,7 +89,7 @@ const OPTIONS: [(&str, &str); 6] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "an isotropic solid of central bonds, Poisson's ratio 1/4: block, points",
-    bodies: &[("solid block with cut-outs, or from STL or Gmsh, ν = 1/4", "solids")],
+    bodies: &[("solid block with cut-outs, STL, Gmsh, or listed points, ν = 1/4", "solids")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a clamped cantilever", case: include_str!("start.json") }],
     growth: Growth::Plane,
