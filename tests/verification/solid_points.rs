@@ -169,7 +169,7 @@ fn scattered_points_are_softer_and_say_so() {
     assert!((0.0..0.09).contains(&two) && (0.0..0.05).contains(&three) && three < two, "{two} {three}");
 }
 
-/// Volumes that are a thousand times too large, as those in other units are, are told.
+/// A warning names volumes that are a thousand times too large, such as those in another unit.
 #[test]
 fn volumes_in_other_units_are_told() {
     let (text, _) = list([5, 5, 5], 0.0);
@@ -187,7 +187,7 @@ fn volumes_in_other_units_are_told() {
     assert!(warned(&text.replace(",0.125", ",125"), 1.0));
 }
 
-/// Points that bonds hold in one plane only are told.
+/// Bonds in one plane do not hold a sheet of points across it: the run is refused, unless supports hold it there.
 #[test]
 fn a_sheet_of_points_is_loose_across_itself() {
     let (text, _) = list([6, 6, 1], 0.0);

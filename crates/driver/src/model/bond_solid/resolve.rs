@@ -72,7 +72,7 @@ impl Keys for BondSolidKeys {
 
 /// Horizon per spacing, if nothing else is given. A crack in a slab with an energy release rate that does not depend on its length grows
 /// at 19 % more motion than that says with two spacings, and with three at 2 % less. A bar of points that are scattered by a quarter of
-/// a spacing is 6 % too soft with two, and 3 % with three.
+/// a spacing is 6.0 % too soft with two, and 3.2 % with three.
 fn usual_horizon_ratio(asked: &Asked) -> f64 {
     if asked.breaks || asked.body == BodyKind::Points { USUAL_HORIZON_RATIO } else { USUAL }
 }
