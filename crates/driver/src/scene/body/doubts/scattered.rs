@@ -24,16 +24,12 @@ pub(super) fn warn(scene: &BodyScene, faults: &mut Faults) {
     let is_crowd = cloud.about_pairs(radius) > MANY * cloud.points() as f64;
     let distances = if is_crowd { None } else { cloud.nearest_distances(radius) };
     let place = root("body").key("points");
-    match distances {
-        Some([mean, _]) if mean >= CROWDED * cloud.spacing() => {}
-        None if !is_crowd => {}
-        _ => {
-            let message = format!(
-                "the volumes are those of cubes that are {} wide, and points are much closer to each other",
-                tidy(cloud.spacing())
-            );
-            faults.warning(place.clone(), message).hint("are volumes and coordinates in the same units?");
-        }
+    if distances.map_or(is_crowd, |[mean, _]| mean < CROWDED * cloud.spacing()) {
+        let message = format!(
+            "the volumes are those of cubes that are {} wide, and points are much closer to each other",
+            tidy(cloud.spacing())
+        );
+        faults.warning(place.clone(), message).hint("are volumes and coordinates in the same units?");
     }
     let is_exact = scene.material().about().is_exact_at_edges;
     if is_exact && distances.is_some_and(|[_, deviation]| deviation >= UNEVEN) {
