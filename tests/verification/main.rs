@@ -17,6 +17,7 @@ mod beam_fracture;
 mod certificate;
 mod closed_forms;
 mod convergence;
+mod crack_fronts;
 mod crack_modes;
 mod cut_edges;
 mod cut_edges_breaking;

@@ -59,7 +59,7 @@ const SNEDDON: f64 = std::f64::consts::FRAC_2_SQRT_PI;
 #[test]
 fn round_cracks_have_their_stress_intensity() {
     // The body is eight radii wide, which adds 1.3 % to that of one in an infinite body.
-    for (model, found) in [("bond_solid", 1.0434), ("state_solid", 1.0465)] {
+    for (model, found) in [("bond_solid", 1.0298), ("state_solid", 1.0318)] {
         let over = intensity(&penny(model, [true; 3], 4.0, 0.125)) / SNEDDON;
         assert!((over - found).abs() < 2e-4, "{model}: {over}");
     }

@@ -24,7 +24,8 @@ fn case(kind: &str, body: Value) -> Value {
         "model": { "bond_plane": { "youngs_modulus": 73_100.0, "state": "plane_strain", "thickness": THICKNESS,
             "calibration": "published", "volume_factor": "ramp", "edges": "none" } },
         "body": { kind: body },
-        "horizon_ratio": 3
+        "horizon_ratio": 3,
+        "crack_fronts": "crossed"
     })
 }
 

@@ -1,5 +1,6 @@
 //! Cracks: polylines in the plane, and surfaces in space, that cut the bonds they meet.
 
+mod front;
 mod surface;
 
 use super::convex::strip;
@@ -8,6 +9,7 @@ use super::lattice::{Cell, SquareLattice, plus};
 use std::ops::Range;
 use thiserror::Error;
 
+pub use front::Recess;
 pub use surface::{CrackSurface, CrackSurfaceError};
 
 /// A bond this close to a crack meets it, in spacings.
@@ -43,6 +45,8 @@ pub enum CrackError {
 /// run along it. Whether segments cross is decided by exact predicates, and the slack is far above the rounding of
 /// coordinates, so rounding decides nothing. A crack through points cuts all bonds of these points; place it between
 /// them. A crack that shall open the border of a body starts a spacing outside it.
+///
+/// A crack acts some tenths of a spacing longer than the bonds that it cuts so: [`Crack::receded`] is the one that acts as long as this.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crack(Shape);
 

@@ -25,6 +25,16 @@ pub struct GivenCrack {
     pub file: Option<String>,
 }
 
+/// Which bonds cracks cut next to their tips, in a solid next to their fronts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CrackFronts {
+    /// None that cross a crack within a tenth of the horizon of its end: it acts as long as it is.
+    Effective,
+    /// All that cross a crack, as published models do: it acts 0.4 to 0.5 spacings longer than it is, and more in shear.
+    Crossed,
+}
+
 /// A round crack.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -52,7 +52,7 @@ pub use condition::{
 };
 pub use contact::{ContactCentre, Hertz};
 pub use continuum::Continuum;
-pub use crack::{CrackDisc, GivenCrack};
+pub use crack::{CrackDisc, CrackFronts, GivenCrack};
 pub use drawing::{Arrows, Drawing, PictureFormat, Signs};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
 pub use facts::{FRACTURE_FACTS, PATH_FACTS};
@@ -146,6 +146,9 @@ pub struct Case {
     /// Cracks of a body: lines in the plane, surfaces in a solid.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub cracks: Vec<GivenCrack>,
+    /// Which bonds cracks cut next to their ends; `effective` if not given, and `crossed` where bonds break or soften.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub crack_fronts: Option<CrackFronts>,
     /// Regions of a body in the plane by name. Edges, named holes and groups of a mesh are regions of their own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub regions: BTreeMap<String, Region>,

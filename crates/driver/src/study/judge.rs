@@ -9,7 +9,7 @@ use std::collections::HashMap;
 /// are known.
 const SHARE: f64 = 0.1;
 /// Share of the largest relative error in a state that a value has at least which goes by no order of a method.
-const AKIN: f64 = 0.5;
+const AKIN: f64 = 0.6;
 /// Values below this share of the largest one of their field are rounding: nothing is relative to them.
 const VANISHED: f64 = 1e-9;
 
@@ -82,7 +82,7 @@ impl<'a> Floors<'a> {
             (SHARE * self.of_field[&*own.field], "0.1 of the largest in the field")
         } else if found.by_chance {
             let akin = self.of_state.get(&own.state).unwrap_or(&0.0);
-            (AKIN * akin * own.scale, "half of the largest relative one of the state")
+            (AKIN * akin * own.scale, "0.6 of the largest relative one of the state")
         } else {
             (0.0, "")
         }

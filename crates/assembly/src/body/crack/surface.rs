@@ -1,9 +1,11 @@
 //! Surfaces that cut the bonds of solids: discs, rings, plane polygons and triangles.
 
+mod edge;
 mod front;
 
 use super::super::geometry::{Point, between_segments, distance, to_segment};
 use super::super::polygon::{Polygon, PolygonError};
+use edge::{Edge, open_edges};
 use nalgebra::Vector3;
 use thiserror::Error;
 
@@ -40,6 +42,11 @@ pub enum CrackSurfaceError {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrackSurface {
     pieces: Vec<Piece>,
+    /// Edges of pieces with straight ones that are none of another piece.
+    open: Vec<Edge>,
+    /// Parts of fronts next to which it cuts nothing, and how far from them, m.
+    spared: Vec<[Vector3<f64>; 2]>,
+    recess: f64,
 }
 
 /// A plane part of a surface.
@@ -87,7 +94,7 @@ impl CrackSurface {
         let bounds = [-1.0, 1.0].map(|sign| [0, 1, 2].map(|k| centre[k] + sign * half[k]));
         let axes = [first, normal.cross(&first), normal];
         let shape = Flat::Ring { inner, outer };
-        Ok(Self { pieces: vec![Piece { origin: centre.into(), axes, shape, bounds }] })
+        Ok(Self::of(vec![Piece { origin: centre.into(), axes, shape, bounds }], Vec::new()))
     }
 
     /// A polygon of three corners or more, m, in a plane.
@@ -95,7 +102,7 @@ impl CrackSurface {
     /// # Errors
     /// [`CrackSurfaceError`], but those of discs.
     pub fn polygon(corners: &[[f64; 3]]) -> Result<Self, CrackSurfaceError> {
-        Ok(Self { pieces: vec![Piece::polygon(corners)?] })
+        Ok(Self::of(vec![Piece::polygon(corners)?], open_edges(&[corners.to_vec()])))
     }
 
     /// Triangles, m; those without an area are left out.
@@ -103,20 +110,30 @@ impl CrackSurface {
     /// # Errors
     /// [`CrackSurfaceError::NoArea`] if none is left, [`CrackSurfaceError::NotFinite`].
     pub fn triangles(all: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Result<Self, CrackSurfaceError> {
-        let mut pieces = Vec::new();
+        let (mut pieces, mut outlines) = (Vec::new(), Vec::new());
         for corners in all {
+            outlines.push(corners.to_vec());
             match Piece::polygon(&corners) {
                 Ok(piece) => pieces.push(piece),
                 Err(CrackSurfaceError::NotFinite) => return Err(CrackSurfaceError::NotFinite),
                 Err(_) => {}
             }
         }
-        if pieces.is_empty() { Err(CrackSurfaceError::NoArea) } else { Ok(Self { pieces }) }
+        if pieces.is_empty() {
+            return Err(CrackSurfaceError::NoArea);
+        }
+        Ok(Self::of(pieces, open_edges(&outlines)))
+    }
+
+    fn of(pieces: Vec<Piece>, open: Vec<Edge>) -> Self {
+        Self { pieces, open, spared: Vec::new(), recess: 0.0 }
     }
 
     /// Whether the bond from `a` to `b` (m) comes within `slack` (m) of the surface: the same for both directions.
     pub fn cuts(&self, a: [f64; 3], b: [f64; 3], slack: f64) -> bool {
-        self.pieces.iter().any(|piece| piece.cuts(a, b, slack))
+        let is_deep =
+            |at: Vector3<f64>| self.spared.iter().all(|edge| edge::distance(at, edge) >= self.recess - slack);
+        self.pieces.iter().any(|piece| piece.meets(a, b, slack, &is_deep))
     }
 
     /// Lower and upper corners of the boxes around its pieces, m.
@@ -149,7 +166,14 @@ impl CrackSurface {
                 bounds: [pick(f64::min), pick(f64::max)],
             }
         };
-        Self { pieces: self.pieces.iter().map(of).collect() }
+        let at = |v: Vector3<f64>| Vector3::from(place(v.into()));
+        let direction = |v: Vector3<f64>| v.component_mul(&Vector3::from(signs));
+        Self {
+            pieces: self.pieces.iter().map(of).collect(),
+            open: self.open.iter().map(|edge| edge.mapped(&at, &direction)).collect(),
+            spared: self.spared.iter().map(|ends| ends.map(at)).collect(),
+            recess: self.recess,
+        }
     }
 }
 
@@ -179,7 +203,8 @@ impl Piece {
         Ok(Self { origin, axes, shape: Flat::Polygon(Polygon::new(flat)?), bounds })
     }
 
-    fn cuts(&self, a: [f64; 3], b: [f64; 3], slack: f64) -> bool {
+    /// Whether the bond from `a` to `b` comes within a slack of it, at a place that counts.
+    fn meets(&self, a: [f64; 3], b: [f64; 3], slack: f64, counts: &dyn Fn(Vector3<f64>) -> bool) -> bool {
         let [low, high] = self.bounds;
         let apart = |k: usize| a[k].max(b[k]) + slack < low[k] || high[k] + slack < a[k].min(b[k]);
         if (0..3).any(apart) {
@@ -191,7 +216,9 @@ impl Piece {
             [a, b].map(|end| self.axes.map(|axis| axis.dot(&(Vector3::from(end) - self.origin))));
         let heights = [from[2], to[2]];
         if heights.iter().all(|z| z.abs() <= slack) {
-            return self.shape.meets([from[0], from[1]], [to[0], to[1]], slack);
+            let ends = [[from[0], from[1]], [to[0], to[1]]];
+            let nearest = self.shape.meets(ends[0], ends[1], slack);
+            return nearest && ends.iter().any(|end| counts(self.place(*end)));
         }
         let beside = heights[0] * heights[1] > 0.0;
         let nearest = if heights[0].abs() < heights[1].abs() { 0.0 } else { 1.0 };
@@ -199,7 +226,13 @@ impl Piece {
             return false;
         }
         let share = if beside { nearest } else { heights[0] / (heights[0] - heights[1]) };
-        self.shape.holds([0, 1].map(|k| from[k] + share * (to[k] - from[k])), slack)
+        let at = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
+        self.shape.holds(at, slack) && counts(self.place(at))
+    }
+
+    /// A place of its plane in space, m.
+    fn place(&self, at: Point) -> Vector3<f64> {
+        self.origin + self.axes[0] * at[0] + self.axes[1] * at[1]
     }
 }
 

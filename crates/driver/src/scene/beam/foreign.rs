@@ -29,6 +29,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
         ("path", case.path.is_some(), "beams do not soften: `fracture` breaks their bonds"),
         ("limit", case.is_corrected(), "refine the line: its error is estimated by itself"),
         ("corrections", case.corrections.is_some(), "leave it out"),
+        ("crack_fronts", case.crack_fronts.is_some(), "leave it out"),
         ("stress_intensity", !case.stress_intensity.is_empty(), &*intensities),
     ];
     for (key, _, hint) in keys.iter().filter(|k| k.1) {

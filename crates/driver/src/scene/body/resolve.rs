@@ -134,13 +134,13 @@ impl BodyScene {
             &cracks,
             &inputs.body,
             outline.as_ref(),
-            &|crack| built.is_none() || inputs.is_cut_by(crack),
+            (&|crack| built.is_none() || inputs.is_cut_by(crack), &|crack| inputs.comes_back(crack)),
             faults,
         );
         let built = built?;
         let (conditions, supports) = supported::conditions(&held, rigid, &inputs, &*built, faults);
         let reach = reach(&*built, &inputs);
-        let images = inputs.symmetry.with_images(&paths);
+        let images = inputs.acting(&paths);
         let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
         let extended = extended.map(|(lattice, _)| match lattice.is_plane() {
             true => PointBody::Lattice(lattice.as_ref().clone()),

@@ -247,7 +247,7 @@ impl BodyScene {
     /// [`Refusal`].
     pub(crate) fn part(&self, ranges: &[Range<i32>; 3]) -> Result<AnyBody, Refusal> {
         let cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
-        self.inputs.within(ranges).make(&cracks)
+        self.inputs.within(ranges).cut_by(&self.inputs.acting(&cracks))
     }
 
     /// The body as its model is given it; `held` are the regions that supports hold.

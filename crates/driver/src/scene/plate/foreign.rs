@@ -10,6 +10,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         ("rigid", !case.rigid.is_empty(), "points are held by `supports`"),
         ("periodic", !case.periodic.is_empty(), "model half of the plate beside a line of `symmetry`"),
         ("cracks", !case.cracks.is_empty(), "a slot that parts cells is a `holes` polygon"),
+        ("crack_fronts", case.crack_fronts.is_some(), "plates in bending have no cracks"),
         ("stress_intensity", !case.stress_intensity.is_empty(), "plates in bending have no cracks"),
         ("limit", case.is_corrected(), "use a smaller spacing"),
         ("corrections", case.corrections.is_some(), "leave it out"),

@@ -125,7 +125,7 @@ pub(crate) fn check(
     cracks: &[NamedCrack],
     body: &PointBody,
     outline: Option<&Outline>,
-    cuts_any: &dyn Fn(&Crack) -> bool,
+    (cuts_any, comes_back): (&dyn Fn(&Crack) -> bool, &dyn Fn(&Crack) -> bool),
     faults: &mut Faults,
 ) {
     let [low, high] = match outline {
@@ -153,6 +153,16 @@ pub(crate) fn check(
             faults
                 .warning(path, format!("the crack `{}` cuts no bond", named.name))
                 .hint("a crack smaller than the spacing, in a hole or outside of the body does nothing");
+        } else if comes_back(&named.crack) {
+            faults
+                .error(
+                    path,
+                    format!(
+                        "the crack `{}` reaches beyond a mirror, so that its image cuts the body",
+                        named.name
+                    ),
+                )
+                .hint("end it on the mirror: the other half is its image");
         }
     }
 }

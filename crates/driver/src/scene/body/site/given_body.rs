@@ -5,7 +5,7 @@ use super::cracks::{self, NamedCrack};
 use super::model_inputs::ModelInputs;
 use super::symmetry::{Sides, Symmetry};
 use super::{body, held_angle, of_case, periodic, size, symmetry};
-use crate::case::Case;
+use crate::case::{Case, CrackFronts};
 use crate::diagnostic::{Faults, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
@@ -113,7 +113,11 @@ pub(crate) fn read(
     };
     let breaks = case.fracture.is_some() || case.path.is_some();
     let (bearings, materials) = (Vec::new(), Mixture::default());
-    let inputs = ModelInputs { body, file, symmetry, bearings, material, materials, horizon, breaks };
+    // A crack that grows is that of the bonds that broke, which cross it up to its end.
+    let usual = if breaks { CrackFronts::Crossed } else { CrackFronts::Effective };
+    let crack_fronts = case.crack_fronts.unwrap_or(usual);
+    let inputs =
+        ModelInputs { body, file, symmetry, bearings, material, materials, horizon, breaks, crack_fronts };
     Some(GivenBody { inputs, outline, walls, parts, curves, cracks })
 }
 

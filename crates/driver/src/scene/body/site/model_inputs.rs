@@ -2,13 +2,15 @@
 
 use super::bearing::{self, Bearing};
 use super::cracks::NamedCrack;
+use super::fronts;
 use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
-use crate::case::Case;
+use crate::case::{Case, CrackFronts};
 use crate::model::{AnyBody, Material, Mixture, OnGround, OnLattice, Refusal};
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds, plus};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
+use std::collections::HashSet;
 use std::ops::Range;
 
 /// What a model is made of, to make it again with other cracks.
@@ -30,6 +32,8 @@ pub(crate) struct ModelInputs {
     pub(crate) horizon: f64,
     /// Whether its bonds break or soften.
     pub(crate) breaks: bool,
+    /// Which bonds its cracks cut next to their ends.
+    pub(crate) crack_fronts: CrackFronts,
 }
 
 impl ModelInputs {
@@ -38,7 +42,23 @@ impl ModelInputs {
     /// # Errors
     /// [`Refusal`].
     pub(crate) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, Refusal> {
-        let cracks = self.symmetry.with_images(cracks);
+        self.cut_by(&self.acting(cracks))
+    }
+
+    /// Cracks as they cut bonds, with their images.
+    pub(crate) fn acting(&self, cracks: &[Crack]) -> Vec<Crack> {
+        if cracks.is_empty() || self.crack_fronts == CrackFronts::Crossed {
+            return self.symmetry.with_images(cracks);
+        }
+        let around = fronts::Around { body: &self.body, symmetry: &self.symmetry, horizon: self.horizon };
+        self.symmetry.with_images(&around.receded(cracks))
+    }
+
+    /// The model with all bonds cut that some cracks cross.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub(crate) fn cut_by(&self, cracks: &[Crack]) -> Result<AnyBody, Refusal> {
         match &self.body {
             PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
                 let (mirrors, apart) = (self.symmetry.mirrors, RefCell::new(Vec::new()));
@@ -100,7 +120,7 @@ impl ModelInputs {
         offsets: &[Cell],
     ) -> Vec<(usize, usize)> {
         let cracks: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
-        cut_bonds(lattice, offsets, &self.symmetry.with_images(&cracks))
+        cut_bonds(lattice, offsets, &self.acting(&cracks))
     }
 
     /// Whether a crack cuts any bond.
@@ -120,6 +140,30 @@ impl ModelInputs {
                 neighbours.pairs().any(|[i, j]| crack.cuts(at(i), at(j), slack))
             }
         }
+    }
+
+    /// Whether the image of a crack in a mirror cuts bonds before that mirror which the crack does not cut itself: it reaches beyond it.
+    pub(crate) fn comes_back(&self, crack: &Crack) -> bool {
+        let Some(lattice) = self.body.cells().filter(|_| !self.symmetry.mirrors.is_none()) else {
+            return false;
+        };
+        let (depth, offsets) =
+            (self.material.depth().unwrap_or(0), self.material.offsets().unwrap_or_default());
+        let extended = self.symmetry.mirrors.extended(lattice, depth);
+        let cut = |crack: Crack| cut_bonds(&extended, &offsets, &[crack]);
+        let own: HashSet<(usize, usize)> = cut(crack.clone()).into_iter().collect();
+        let mirrors = self.symmetry.at.iter().enumerate().filter_map(|(side, at)| Some((side, (*at)?)));
+        mirrors.into_iter().any(|(side, at)| {
+            let (axis, is_high) = (side / 2, side % 2 == 1);
+            let is_before = |cell: Cell| (lattice.centre(cell)[axis] < at) == is_high;
+            let planes = [0, 1, 2].map(|k| (k == axis).then_some(at));
+            cut(crack.reflected(planes)).into_iter().filter(|bond| !own.contains(bond)).any(
+                |(step, lower)| {
+                    let lower = extended.cell(lower);
+                    is_before(lower) && is_before(plus(lower, offsets[step]))
+                },
+            )
+        })
     }
 
     /// What the strength of bonds depends on.
