@@ -108,6 +108,7 @@ mod softening_edges;
 mod solid_cracks;
 mod solid_files;
 mod solid_fracture;
+mod solid_fronts;
 mod solid_joined;
 mod solid_points;
 mod solid_rigid;

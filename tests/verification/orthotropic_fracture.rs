@@ -18,6 +18,7 @@ fn case(degrees: f64, spacing: f64) -> Value {
             "edges": "none" } },
         "body": { "rectangle": { "from": [-35, -20], "size": [70, 40], "spacing": spacing } },
         "horizon_ratio": 3.015,
+        "crack_fronts": "crossed",
         "cracks": [ { "path": [[0, -4], [0, 4]] } ],
         "regions": { "left_grip": { "box": { "from": [-35, -20], "to": [-35.0 + grip, 20] } },
             "right_grip": { "box": { "from": [35.0 - grip, -20], "to": [35, 20] } } },

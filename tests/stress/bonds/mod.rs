@@ -76,6 +76,7 @@ impl Body {
             "horizon_ratio": self.ratio, "solver": solver, "supports": supports,
             "regions": { "first": column(0), "last": column(nx - 1) },
             "cracks": [{ "path": [[x, -1.0], [x, tip]] }],
+            "crack_fronts": "crossed",
             "loads": [{ "point": { "at": { "region": "last" }, "force_y": self.load } }]
         });
         match self.way {

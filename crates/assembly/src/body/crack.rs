@@ -9,7 +9,7 @@ use super::lattice::{Cell, SquareLattice, plus};
 use std::ops::Range;
 use thiserror::Error;
 
-pub use front::Recess;
+pub use front::{FrontPlace, Recess};
 pub use surface::{CrackSurface, CrackSurfaceError};
 
 /// A bond this close to a crack meets it, in spacings.

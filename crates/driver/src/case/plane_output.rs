@@ -31,6 +31,9 @@ pub struct StressIntensity {
     /// inner one of a ring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tips: Option<Tips>,
+    /// In a solid, the place of the front nearest to this position: of any crack, from how its faces part there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<[f64; 3]>,
     /// What it is.
     #[serde(default)]
     pub quantity: TipQuantity,
@@ -50,6 +53,9 @@ pub enum TipQuantity {
     /// K_II, of their sliding. It is positive where the face on the left of the crack, seen towards the tip, slides towards the tip.
     #[serde(rename = "k_ii")]
     KII,
+    /// K_III, of their sliding along the front, at a place of the front of a crack in a solid.
+    #[serde(rename = "k_iii")]
+    KIII,
     /// G, which is the J-integral of an elastic body.
     EnergyReleaseRate,
 }
@@ -61,6 +67,7 @@ impl TipQuantity {
             Self::K => "stress_intensity",
             Self::KI => "k_i",
             Self::KII => "k_ii",
+            Self::KIII => "k_iii",
             Self::EnergyReleaseRate => "energy_release_rate",
         }
     }

@@ -19,6 +19,17 @@ pub struct Recess<'a> {
     pub goes_on: &'a dyn Fn([f64; 3], [f64; 3]) -> bool,
 }
 
+/// A place on the front of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrontPlace {
+    /// Where it is, m.
+    pub at: [f64; 3],
+    /// Direction of length one in the surface, across the front and away from the crack.
+    pub ahead: [f64; 3],
+    /// Unit normal of the surface.
+    pub normal: [f64; 3],
+}
+
 impl Crack {
     /// The crack that acts as long as this one does in a continuum: it spares bonds that cross it next to its front.
     #[must_use]

@@ -40,8 +40,17 @@ pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found
     let options = &RunOptions { recover: false, ..*options };
     let mut rates: Vec<Vec<f64>> = Vec::new();
     for (k, intensity) in scene.intensities.iter().enumerate() {
-        let same = |other: &Intensity| (other.crack, other.tips) == (intensity.crack, intensity.tips);
+        let same = |other: &Intensity| {
+            other.front.is_none() && (other.crack, other.tips) == (intensity.crack, intensity.tips)
+        };
         let known = scene.intensities[..k].iter().position(same);
+        if intensity.front.is_some() {
+            // Its modes follow from how faces part.
+            let states = vec![f64::NAN; scene.states.len()];
+            found.values.push(states.clone());
+            rates.push(states);
+            continue;
+        }
         let own = match known {
             Some(known) => rates[known].clone(),
             None => release_rates(scene, intensity, options, &mut found)?,
@@ -49,7 +58,9 @@ pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found
         let stiffness = stiffness(scene);
         let reported = |rate: &f64| match intensity.quantity {
             TipQuantity::EnergyReleaseRate => *rate,
-            TipQuantity::K | TipQuantity::KI | TipQuantity::KII => (stiffness * rate).sqrt(),
+            TipQuantity::K | TipQuantity::KI | TipQuantity::KII | TipQuantity::KIII => {
+                (stiffness * rate).sqrt()
+            }
         };
         found.values.push(own.iter().map(reported).collect());
         rates.push(own);
@@ -116,7 +127,7 @@ fn repeat([x, y]: [f64; 2]) -> Option<f64> {
 }
 
 /// E' of an isotropic material, and 2 G of one in antiplane shear, Pa.
-fn stiffness(scene: &BodyScene) -> f64 {
+pub(super) fn stiffness(scene: &BodyScene) -> f64 {
     let [along, across, ..] = scene.model.strains_of(ALONG_X, 0.0);
     let modulus = 1.0 / along;
     if scene.model.as_solid().is_some() {

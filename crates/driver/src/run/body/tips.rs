@@ -2,6 +2,7 @@
 //!
 //! `√(E' G)` has neither sign nor mode: faces that overlap, or slide along each other, are reported.
 
+use super::modes;
 use crate::case::{self, TipQuantity};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::BodyScene;
@@ -35,6 +36,9 @@ impl Tips {
         let moves = [0, 1].iter().all(|&axis| scene.model.along(axis).is_some());
         for (k, intensity) in scene.intensities.iter().enumerate().filter(|_| moves) {
             let vertices = scene.cracks[intensity.crack].crack.vertices();
+            if intensity.front.is_some() {
+                continue;
+            }
             if let Some(surface) = scene.cracks[intensity.crack].crack.surface() {
                 let places = surface.behind_front(scene.spacing());
                 all.extend(places.into_iter().filter_map(|(at, normal)| beside(scene, k, at, normal)));
@@ -58,6 +62,10 @@ impl Tips {
             for [opening, sliding] in parts {
                 closes |= opening < -CLOSED * sliding.abs();
                 slides |= sliding.abs() > MIXED * opening.abs();
+            }
+            if let Some(front) = &scene.intensities[k].front {
+                let [opening, across, along] = modes::of_front(scene, front, u);
+                closes = opening < -CLOSED * across.hypot(along);
             }
             let path = JsonPath::default().key("stress_intensity").index(k);
             let (name, state) = (&scene.intensities[k].name, &scene.states[state].name);

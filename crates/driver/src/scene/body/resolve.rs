@@ -12,6 +12,7 @@ use super::load::sums::BodyLoads;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
 use super::read::fields::Says;
+use super::read::front::{Beside, FrontJump};
 use super::read::intensities::{self, Intensity};
 use super::read::jump::Jump;
 use super::read::outputs::{self, OutputLine};
@@ -30,7 +31,7 @@ use crate::model::{USUAL_HORIZON_RATIO, with_body};
 use crate::scene::files;
 use crate::scene::path::PathScene;
 use crate::scene::solids_only;
-use peristat_assembly::body::{Crack, PointBody, in_space};
+use peristat_assembly::body::{Crack, CrackSurface, PointBody, in_space};
 use peristat_assembly::model::BodyModel;
 
 impl BodyScene {
@@ -130,13 +131,7 @@ impl BodyScene {
             || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
         load_cases::check_loaded(&ground, &load_cases, moves, faults);
         let states = BodyState::all(case, faults);
-        cracks::check(
-            &cracks,
-            &inputs.body,
-            outline.as_ref(),
-            (&|crack| built.is_none() || inputs.is_cut_by(crack), &|crack| inputs.comes_back(crack)),
-            faults,
-        );
+        cracks::check(&cracks, outline.as_ref(), (&inputs, built.is_some()), faults);
         let built = built?;
         let (conditions, supports) = supported::conditions(&held, rigid, &inputs, &*built, faults);
         let reach = reach(&*built, &inputs);
@@ -257,25 +252,42 @@ impl Readings {
             let inside = |p: [f64; 3]| site.ground.point_at(p, &at, "", &mut Faults::default()).map(number);
             Jump::at(ends, site.inputs.horizon, site.interpolation, &inside)
         };
+        let find_front = |surface: &CrackSurface, position: [f64; 3]| {
+            let at = JsonPath::default();
+            let inside = |p: [f64; 3]| site.ground.point_at(p, &at, "", &mut Faults::default()).map(number);
+            let (horizon, symmetry) = (site.inputs.horizon, &site.inputs.symmetry);
+            FrontJump::at(
+                surface,
+                position,
+                &Beside { horizon, symmetry, on: site.interpolation, inside: &inside },
+            )
+        };
         let find: Option<&intensities::FindJump> = if moves && is_plane { Some(&find) } else { None };
-        let intensities =
-            intensities::intensities(site.ground.case, site.cracks, &contains, (&around, find), faults);
+        let intensities = intensities::intensities(
+            site.ground.case,
+            site.cracks,
+            &contains,
+            &around,
+            (find, &find_front),
+            faults,
+        );
         probes.extend(intensities.iter().enumerate().map(|(k, intensity)| BodyProbe {
             name: intensity.name.clone(),
             quantity: Quantity::StressIntensity(k, intensity.quantity),
-            place: format!("{}crack `{}`", tips_in_words(intensity.tips), site.cracks[intensity.crack].name),
+            place: format!("{}crack `{}`", tips_in_words(intensity), site.cracks[intensity.crack].name),
             position: None,
         }));
         Self { probes, lines, intensities }
     }
 }
 
-/// Which tips move, in words.
-fn tips_in_words(tips: Option<Tips>) -> &'static str {
-    match tips {
+/// Which tips move, or that it is of a place of the front, in words.
+fn tips_in_words(intensity: &Intensity) -> &'static str {
+    match intensity.tips {
         Some(Tips::Start) => "start of ",
         Some(Tips::End) => "end of ",
         Some(Tips::Both) => "both ends of ",
+        None if intensity.front.is_some() => "front of ",
         None => "",
     }
 }

@@ -1,6 +1,6 @@
 //! Straight edges of surfaces, at which they end.
 
-use super::super::front::Recess;
+use super::super::front::{FrontPlace, Recess};
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
@@ -36,6 +36,18 @@ impl Edge {
             }
         }
         found
+    }
+
+    /// The place on it that is nearest to some place, m.
+    pub(super) fn place_near(&self, place: Vector3<f64>) -> FrontPlace {
+        let [from, to] = self.ends;
+        let along = to - from;
+        let share = ((place - from).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+        FrontPlace {
+            at: (from + along * share).into(),
+            ahead: self.outward.into(),
+            normal: self.outward.cross(&along.normalize()).into(),
+        }
     }
 
     /// Its parts of about a length, m, within a box: their ends.

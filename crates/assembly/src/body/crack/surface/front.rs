@@ -1,7 +1,9 @@
 //! Fronts of discs and rings: their rim, of a ring the inner one.
 
-use super::super::front::Recess;
+use super::super::front::{FrontPlace, Recess};
+use super::edge::{self, Edge};
 use super::{CrackSurface, Flat, Piece};
+use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 impl CrackSurface {
@@ -35,6 +37,16 @@ impl CrackSurface {
         Self { spared, recess: recess.by, ..self.clone() }
     }
 
+    /// The place of its front that is nearest to some place, m; none on the axis of a disc.
+    pub fn front_near(&self, place: [f64; 3]) -> Option<FrontPlace> {
+        if let [piece @ Piece { shape: Flat::Ring { inner, outer }, .. }] = &self.pieces[..] {
+            return piece.rim_near([*inner, *outer], place.into());
+        }
+        let far = |edge: &&Edge| edge::distance(place.into(), &edge.ends);
+        let nearest = self.open.iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+        Some(nearest.place_near(place.into()))
+    }
+
     /// Places of a disc or ring a length, m, behind its front, in eight directions, and its normal; none of other surfaces.
     pub fn behind_front(&self, by: f64) -> Vec<([f64; 3], [f64; 3])> {
         let [Piece { origin, axes, shape: Flat::Ring { inner, outer }, .. }] = self.pieces[..] else {
@@ -64,6 +76,20 @@ impl CrackSurface {
 }
 
 impl Piece {
+    /// The place of the rims of a disc or ring nearest to some place, m.
+    fn rim_near(&self, [inner, outer]: [f64; 2], place: Vector3<f64>) -> Option<FrontPlace> {
+        let arm = place - self.origin;
+        let flat = arm - self.axes[2] * arm.dot(&self.axes[2]);
+        let away = flat.try_normalize(0.0)?;
+        let is_inner = inner > 0.0 && (flat.norm() - inner).abs() < (flat.norm() - outer).abs();
+        let (radius, side) = if is_inner { (inner, -1.0) } else { (outer, 1.0) };
+        Some(FrontPlace {
+            at: (self.origin + away * radius).into(),
+            ahead: (away * side).into(),
+            normal: self.axes[2].into(),
+        })
+    }
+
     /// Whether the body goes on somewhere beyond a rim of a radius, m, outwards or, if `side` is below zero, inwards.
     fn is_front(&self, radius: f64, side: f64, recess: &Recess) -> bool {
         /// Most places that are looked at.

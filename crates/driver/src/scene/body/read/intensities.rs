@@ -1,5 +1,6 @@
 //! Stress intensities of cracks, as a case asks for them.
 
+use super::front::{FrontFault, FrontJump};
 use super::jump::Jump;
 use crate::case::{Case, TipQuantity, Tips};
 use crate::diagnostic::{Faults, JsonPath, root, suggest, tidy};
@@ -24,17 +25,23 @@ pub struct Intensity {
     pub quantity: TipQuantity,
     /// How the faces part at the tip, where its modes are asked for.
     pub(crate) jump: Option<Jump>,
+    /// How they part at a place of the front of a crack in a solid, where it is asked for.
+    pub(crate) front: Option<FrontJump>,
 }
 
 /// How the faces of a crack part at a tip: of the tip and the vertex before it, if these leave room for it.
 pub(crate) type FindJump<'a> = dyn Fn([[f64; 2]; 2]) -> Option<Jump> + 'a;
+
+/// How the faces of a crack part at the place of its front nearest to a position.
+pub(crate) type FindFront<'a> = dyn Fn(&CrackSurface, [f64; 3]) -> Result<FrontJump, FrontFault> + 'a;
 
 /// Stress intensities of the case.
 pub(crate) fn intensities(
     case: &Case,
     cracks: &[NamedCrack],
     contains: &dyn Fn([f64; 2]) -> bool,
-    (around, find_jump): (&tips::Around, Option<&FindJump>),
+    around: &tips::Around,
+    (find_jump, find_front): (Option<&FindJump>, &FindFront),
     faults: &mut Faults,
 ) -> Vec<Intensity> {
     let mut found = Vec::new();
@@ -54,8 +61,12 @@ pub(crate) fn intensities(
         };
         let tips = match (&cracks[crack].crack, given.tips) {
             (solid, tips) if solid.surface().is_some() => {
-                check_front((solid, tips), around, &path, faults);
+                check_front((solid, tips, given.at), around, &path, faults);
                 None
+            }
+            (_, _) if given.at.is_some() => {
+                faults.error(path.key("at"), "a crack in the plane has tips").hint("name them by `tips`");
+                continue;
             }
             (_, None) => {
                 faults
@@ -73,16 +84,59 @@ pub(crate) fn intensities(
                 .error(path.key("quantity"), "of a body that softens the stress intensity alone is followed")
                 .hint("leave `quantity` out: `j_integral` is in the curve");
         }
+        let front = match (given.at, cracks[crack].crack.surface()) {
+            (Some(at), Some(surface)) => {
+                place_of_front(surface, at, (find_front, around.spacing), &path.key("at"), faults)
+            }
+            _ => None,
+        };
         let jump = match given.quantity {
-            TipQuantity::KI | TipQuantity::KII => {
+            _ if given.at.is_some() => None,
+            TipQuantity::KIII if cracks[crack].crack.surface().is_none() => {
+                faults
+                    .error(path.key("quantity"), "K_III is that of a place of a front in a solid")
+                    .hint("give the place by `at`, in a solid; in antiplane shear leave `quantity` out");
+                None
+            }
+            TipQuantity::KI | TipQuantity::KII | TipQuantity::KIII => {
                 jump(&cracks[crack].crack, tips, find_jump, &path.key("quantity"), faults)
             }
             TipQuantity::K | TipQuantity::EnergyReleaseRate => None,
         };
         let (name, quantity) = (given.name.clone(), given.quantity);
-        found.push(Intensity { name, crack, tips, quantity, jump });
+        found.push(Intensity { name, crack, tips, quantity, jump, front });
     }
     found
+}
+
+/// How the faces of a crack part at a place of its front.
+fn place_of_front(
+    surface: &CrackSurface,
+    at: [f64; 3],
+    (find, spacing): (&FindFront, f64),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<FrontJump> {
+    let refuse = |fault| match fault {
+        FrontFault::Far => {
+            faults
+                .error(
+                    path.clone(),
+                    "there is no front of the crack in the body within a spacing of this position",
+                )
+                .hint("give a position on it; a disc has its front on its rim, a polygon on its edges");
+        }
+        FrontFault::Short { spacings } => {
+            let far = tidy(spacings * spacing);
+            faults
+                .error(
+                    path.clone(),
+                    format!("behind this position the crack is not plane, in the body and without another front for {far}"),
+                )
+                .hint("its faces are compared up to there: use a smaller spacing, or another position");
+        }
+    };
+    find(surface, at).map_err(refuse).ok()
 }
 
 /// How the faces of a crack part at the one tip whose modes are asked for.
@@ -93,6 +147,12 @@ fn jump(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Jump> {
+    if crack.surface().is_some() {
+        faults
+            .error(path.clone(), "a front has modes at each of its places")
+            .hint("give a position on the front by `at`");
+        return None;
+    }
     let (Some(find), Some(tips)) = (find, tips) else {
         faults
             .error(path.clone(), "only tips of cracks whose faces move in the plane have separate modes")
@@ -151,7 +211,7 @@ fn check_tips(
 
 /// Faults of a crack in a solid that has no front to move.
 fn check_front(
-    (crack, tips): (&Crack, Option<Tips>),
+    (crack, tips, at): (&Crack, Option<Tips>, Option<[f64; 3]>),
     around: &tips::Around,
     path: &JsonPath,
     faults: &mut Faults,
@@ -168,6 +228,9 @@ fn check_front(
     if tips.is_some() {
         faults.error(path.key("tips"), "the front of a crack in a solid has no tips").hint("leave it out");
     }
+    if at.is_some() {
+        return;
+    }
     let radius = crack.surface().and_then(CrackSurface::front_radius);
     if radius.is_some_and(|radius| radius < FEW * around.spacing) {
         faults
@@ -179,8 +242,8 @@ fn check_front(
     }
     if radius.is_none() {
         faults
-            .error(path.key("crack"), "stress intensities of solids are those of a `disc`")
-            .hint("find others from the energies of two runs with cracks of different size");
+            .error(path.key("crack"), "the mean along a front is that of a `disc`")
+            .hint("give a position on the front by `at`");
     }
 }
 

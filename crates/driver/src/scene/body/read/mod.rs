@@ -3,6 +3,7 @@
 pub(crate) mod checks;
 pub(crate) mod edge_mean;
 pub(crate) mod fields;
+pub(crate) mod front;
 pub(crate) mod intensities;
 pub(crate) mod jump;
 pub(crate) mod opening;

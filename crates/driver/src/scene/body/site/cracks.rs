@@ -1,10 +1,11 @@
 //! Cracks of a body.
 
 use super::files;
+use super::model_inputs::ModelInputs;
 use crate::case::{Case, CrackDisc, GivenCrack};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::input::Folder;
-use peristat_assembly::body::{Crack, CrackError, CrackSurface, CrackSurfaceError, Outline, PointBody};
+use peristat_assembly::body::{Crack, CrackError, CrackSurface, CrackSurfaceError, Outline};
 
 /// A crack with its name.
 #[derive(Clone, Debug)]
@@ -123,15 +124,14 @@ fn surface(
 /// Faults of cracks that are nowhere near the body, and warnings of those that cut nothing.
 pub(crate) fn check(
     cracks: &[NamedCrack],
-    body: &PointBody,
     outline: Option<&Outline>,
-    (cuts_any, comes_back): (&dyn Fn(&Crack) -> bool, &dyn Fn(&Crack) -> bool),
+    (inputs, is_built): (&ModelInputs, bool),
     faults: &mut Faults,
 ) {
     let [low, high] = match outline {
         Some(outline) => outline.bounds(),
         None => {
-            let points = (0..body.points()).map(|p| body.place(p));
+            let points = (0..inputs.body.points()).map(|p| inputs.body.place(p));
             points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
                 [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
             })
@@ -149,11 +149,11 @@ pub(crate) fn check(
                 "the body reaches from ({}, {}) to ({}, {})",
                 low[0], low[1], high[0], high[1]
             ));
-        } else if !cuts_any(&named.crack) {
+        } else if is_built && !inputs.is_cut_by(&named.crack) {
             faults
                 .warning(path, format!("the crack `{}` cuts no bond", named.name))
                 .hint("a crack smaller than the spacing, in a hole or outside of the body does nothing");
-        } else if comes_back(&named.crack) {
+        } else if inputs.comes_back(&named.crack) {
             faults
                 .error(
                     path,

@@ -63,7 +63,7 @@ impl ModelInputs {
             PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
                 let (mirrors, apart) = (self.symmetry.mirrors, RefCell::new(Vec::new()));
                 let cuts = |extended: &SquareLattice, offsets: &[Cell]| {
-                    let mut cuts = cut_bonds(extended, offsets, &cracks);
+                    let mut cuts = cut_bonds(extended, offsets, cracks);
                     let found = bearing::on_lattice(&self.bearings, (extended, lattice), &mirrors, offsets);
                     cuts.extend(&found);
                     *apart.borrow_mut() = found;
