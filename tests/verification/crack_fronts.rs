@@ -142,8 +142,11 @@ fn paths_in_pieces_are_one_crack() {
     assert_eq!(parts.to_bits(), whole.to_bits());
     assert_eq!(on_edge.to_bits(), whole.to_bits());
     assert_eq!(by_points.to_bits(), whole.to_bits());
+    // One that reaches a little beyond the other one ends there all the same.
+    let rounded = plate(json!([{ "path": [[-1, 6], [6.0001, 6]] }, { "path": [[9, 8], [6, 6]] }]));
+    assert_eq!(rounded.to_bits(), whole.to_bits());
     // A loop has no tips: it frees what it encloses, as the same with all bonds cut.
-    let square = json!([[6, 3], [12, 3], [12, 9], [6, 9], [6, 3]]);
+    let square = json!([[6, 3], [12, 3], [12, 9], [6, 9], [6.0, 3.000_000_000_1]]);
     let error = peristat::solve_text(
         &json!({
             "title": "plate", "units": "none", "horizon_ratio": 3,
@@ -157,6 +160,31 @@ fn paths_in_pieces_are_one_crack() {
     .err()
     .map_or_else(String::new, |error| error.to_string());
     assert!(error.contains("nothing holds the part of the body around (9, 6), 36 points"), "{error}");
+}
+
+#[test]
+fn cracks_that_meet_a_mirror_go_on_behind_it() {
+    let plate = |from: f64, cracks: Value| {
+        energy(&json!({
+            "title": "plate", "units": "none", "horizon_ratio": 3,
+            "model": { "bond_plane": { "youngs_modulus": YOUNG, "state": "plane_stress" } },
+            "symmetry": if from < 0.0 { json!([]) } else { json!(["left"]) },
+            "body": { "rectangle": { "from": [from, 0], "size": [12.0 - from, 14], "spacing": 1 } },
+            "cracks": cracks, "supports": [ { "at": { "region": "bottom" }, "ux": 0, "uy": 0 } ],
+            "loads": [ { "traction": { "edge": "top", "uniform": [0, 1] } } ]
+        }))
+    };
+    for (half, whole) in [
+        (json!([[0, 6], [5, 6]]), json!([[-5, 6], [5, 6]])),
+        (json!([[0, 6], [2, 11]]), json!([[-2, 11], [0, 6], [2, 11]])),
+        (json!([[0, 6], [6, 8.3]]), json!([[-6, 8.3], [0, 6], [6, 8.3]])),
+        (json!([[-5, 6], [5, 6]]), json!([[-5, 6], [5, 6]])),
+    ] {
+        let [part, all] =
+            [(0.0, &half), (-12.0, &whole)].map(|(from, path)| plate(from, json!([{ "path": path }])));
+        // 1e-13 found.
+        assert!((2.0 * part / all - 1.0).abs() < 1e-12, "{half}: {part} {all}");
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 pub use front::{FrontPlace, Recess};
-pub use surface::{CrackSurface, CrackSurfaceError};
+pub use surface::{CrackSurface, CrackSurfaceError, Fronts};
 
 /// A bond this close to a crack meets it, in spacings.
 pub const CRACK_SLACK: f64 = 1e-6;

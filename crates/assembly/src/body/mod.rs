@@ -34,7 +34,8 @@ pub(crate) use border::around;
 pub(crate) use centres::middle;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{
-    CRACK_SLACK, Crack, CrackError, CrackSurface, CrackSurfaceError, FrontPlace, Recess, cut_bonds, cut_pairs,
+    CRACK_SLACK, Crack, CrackError, CrackSurface, CrackSurfaceError, FrontPlace, Fronts, Recess, cut_bonds,
+    cut_pairs,
 };
 pub use fill::{FillError, fitting_spacings};
 pub use geometry::in_space;

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A crack that is there from the start: it cuts all bonds that it meets. In the plane it is a `path`; in a solid it is a surface, a
+/// A crack that is there from the start: it cuts the bonds that it meets, but those next to its ends (`crack_fronts`). In the plane it is a `path`; in a solid it is a surface, a
 /// `disc`, a `polygon` or that of a `file`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -19,7 +19,7 @@ pub struct LineOutput {
 }
 
 /// The energy release rate G at tips of a crack, from the energies of the crack made longer and shorter by one spacing, or a stress
-/// intensity that follows from it. Faces that overlap are warned of: G has no meaning for them. It is reported as a probe of this name.
+/// intensity that follows from it; at a place of a front in a solid from how the faces part. Faces that overlap are warned of: G has no meaning for them. It is reported as a probe of this name.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StressIntensity {
@@ -47,7 +47,7 @@ pub enum TipQuantity {
     /// warned of; in antiplane shear K_III.
     #[default]
     K,
-    /// K_I, of the opening of one tip in the plane: `√(E' G)` times the share of the opening in what the faces part by.
+    /// K_I, of the opening at a place of a front in a solid, or of one tip in the plane: `√(E' G)` times the share of the opening in what the faces part by.
     #[serde(rename = "k_i")]
     KI,
     /// K_II, of their sliding. It is positive where the face on the left of the crack, seen towards the tip, slides towards the tip.

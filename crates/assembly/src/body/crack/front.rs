@@ -1,11 +1,14 @@
 //! Where a crack ends within a body, and the crack whose bonds have to be cut so that it acts as if it ended there.
 //!
-//! Next to its front a crack that cuts all bonds that cross it acts longer than it is: by 0.42, 0.40 and 0.47 spacings with two, three and
+//! Next to its front a crack that cuts all bonds that cross it acts longer than it is: by 0.43, 0.40 and 0.47 spacings with two, three and
 //! four of them per horizon, found from the energy of rows of cracks in plane strain (`σ √(W tan(π a / W))`), and alike in the plane. Without the
 //! bonds that cross it within a tenth of the horizon of its front these lengths are 0.00, 0.01 and 0.03 spacings.
 
 use super::{Crack, Point, Shape};
 use crate::body::geometry::{distance, in_space};
+
+/// Ends of a path that are so near to each other, over what tips recede by, make it a loop.
+const CLOSED: f64 = 1e-3;
 
 /// By how much the front of a crack recedes, and where.
 pub struct Recess<'a> {
@@ -43,13 +46,13 @@ impl Crack {
 
 /// A path without its ends within the body; one that would be lost keeps them.
 fn shortened(path: &[Point], recess: &Recess) -> Vec<Point> {
-    let is_closed = path.first() == path.last();
+    let last = path.len() - 1;
+    let is_closed = distance(path[0], path[last]) <= CLOSED * recess.by;
     let goes_on = |tip: Point, before: Point| {
         let length = distance(tip, before);
         let ahead = [0, 1].map(|k| (tip[k] - before[k]) / length);
         !is_closed && (recess.goes_on)(in_space(tip), in_space(ahead))
     };
-    let last = path.len() - 1;
     let cuts = [goes_on(path[0], path[1]), goes_on(path[last], path[last - 1])];
     let length: f64 = path.windows(2).map(|w| distance(w[0], w[1])).sum();
     let lost = cuts.iter().filter(|cut| **cut).count() as f64 * recess.by;

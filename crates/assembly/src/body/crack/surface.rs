@@ -2,12 +2,15 @@
 
 mod edge;
 mod front;
+mod fronts;
 
 use super::super::geometry::{Point, between_segments, distance, to_segment};
 use super::super::polygon::{Polygon, PolygonError};
-use edge::{Edge, open_edges};
+use edge::{Edge, border_edges};
 use nalgebra::Vector3;
 use thiserror::Error;
+
+pub use fronts::Fronts;
 
 /// How far the corners of a polygon may lie off its plane, over its size.
 const FLAT: f64 = 1e-6;
@@ -42,10 +45,10 @@ pub enum CrackSurfaceError {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrackSurface {
     pieces: Vec<Piece>,
-    /// Edges of pieces with straight ones that are none of another piece.
-    open: Vec<Edge>,
-    /// Parts of fronts next to which it cuts nothing, and how far from them, m.
-    spared: Vec<[Vector3<f64>; 2]>,
+    /// Straight edges of one piece alone.
+    border: Vec<Edge>,
+    /// Parts of its border next to which it cuts nothing, and how far from them, m.
+    spared: Vec<Edge>,
     recess: f64,
 }
 
@@ -102,7 +105,7 @@ impl CrackSurface {
     /// # Errors
     /// [`CrackSurfaceError`], but those of discs.
     pub fn polygon(corners: &[[f64; 3]]) -> Result<Self, CrackSurfaceError> {
-        Ok(Self::of(vec![Piece::polygon(corners)?], open_edges(&[corners.to_vec()])))
+        Ok(Self::of(vec![Piece::polygon(corners)?], border_edges(&[corners.to_vec()])))
     }
 
     /// Triangles, m; those without an area are left out.
@@ -112,9 +115,11 @@ impl CrackSurface {
     pub fn triangles(all: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Result<Self, CrackSurfaceError> {
         let (mut pieces, mut outlines) = (Vec::new(), Vec::new());
         for corners in all {
-            outlines.push(corners.to_vec());
             match Piece::polygon(&corners) {
-                Ok(piece) => pieces.push(piece),
+                Ok(piece) => {
+                    pieces.push(piece);
+                    outlines.push(corners.to_vec());
+                }
                 Err(CrackSurfaceError::NotFinite) => return Err(CrackSurfaceError::NotFinite),
                 Err(_) => {}
             }
@@ -122,18 +127,18 @@ impl CrackSurface {
         if pieces.is_empty() {
             return Err(CrackSurfaceError::NoArea);
         }
-        Ok(Self::of(pieces, open_edges(&outlines)))
+        Ok(Self::of(pieces, border_edges(&outlines)))
     }
 
-    fn of(pieces: Vec<Piece>, open: Vec<Edge>) -> Self {
-        Self { pieces, open, spared: Vec::new(), recess: 0.0 }
+    fn of(pieces: Vec<Piece>, border: Vec<Edge>) -> Self {
+        Self { pieces, border, spared: Vec::new(), recess: 0.0 }
     }
 
-    /// Whether the bond from `a` to `b` (m) comes within `slack` (m) of the surface: the same for both directions.
+    /// Whether the bond from `a` to `b` (m) comes within `slack` (m) of the surface, where that is not spared: the same for both directions.
     pub fn cuts(&self, a: [f64; 3], b: [f64; 3], slack: f64) -> bool {
-        let is_deep =
-            |at: Vector3<f64>| self.spared.iter().all(|edge| edge::distance(at, edge) >= self.recess - slack);
-        self.pieces.iter().any(|piece| piece.meets(a, b, slack, &is_deep))
+        let is_behind_front =
+            |at: Vector3<f64>| self.spared.iter().all(|edge| edge.distance(at) >= self.recess - slack);
+        self.pieces.iter().any(|piece| piece.meets(a, b, slack, &is_behind_front))
     }
 
     /// Lower and upper corners of the boxes around its pieces, m.
@@ -170,8 +175,8 @@ impl CrackSurface {
         let direction = |v: Vector3<f64>| v.component_mul(&Vector3::from(signs));
         Self {
             pieces: self.pieces.iter().map(of).collect(),
-            open: self.open.iter().map(|edge| edge.mapped(&at, &direction)).collect(),
-            spared: self.spared.iter().map(|ends| ends.map(at)).collect(),
+            border: self.border.iter().map(|edge| edge.mapped(&at, &direction)).collect(),
+            spared: self.spared.iter().map(|edge| edge.mapped(&at, &direction)).collect(),
             recess: self.recess,
         }
     }

@@ -226,3 +226,34 @@ fn what_is_no_surface_is_refused() {
     assert!(matches!(polygon(&square), Err(NotFlat { .. })));
     assert_eq!(CrackSurface::triangles([]), Err(NoArea));
 }
+
+#[test]
+fn fronts_of_triangles_are_those_of_their_outline() {
+    let sheet =
+        CrackSurface::polygon(&[[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [4.0, 6.0, 2.0], [0.0, 6.0, 2.0]]).unwrap();
+    let at = |x: f64, y: f64| [x, y, 2.0];
+    // Turned differently, one without an area, and one twice.
+    let triangles = CrackSurface::triangles([
+        [at(0.0, 0.0), at(4.0, 0.0), at(4.0, 6.0)],
+        [at(0.0, 6.0), at(0.0, 0.0), at(4.0, 6.0)],
+        [at(4.0, 0.0), at(4.0, 0.0), at(4.0, 6.0)],
+        [at(4.0, 6.0), at(0.0, 0.0), at(4.0, 0.0)],
+    ])
+    .unwrap();
+    let goes_on = |_: [f64; 3], ahead: [f64; 3]| ahead[0] > 0.5;
+    let recess = Recess { by: 0.3, step: 1.0, within: [[-9.0; 3], [9.0; 3]], goes_on: &goes_on };
+    let [sheet, triangles] = [sheet, triangles].map(|surface| Crack::from(surface).receded(&recess));
+    for k in 0..900 {
+        let (x, y) = (0.05 + 0.15 * f64::from(k % 30), 0.1 + 0.21 * f64::from(k / 30));
+        let ends = [[x, y, 1.0], [x, y, 3.0]];
+        let expected = x <= 3.7 + 1e-9 && y <= 6.0;
+        for crack in [&sheet, &triangles] {
+            assert_eq!(crack.cuts(ends[0], ends[1], 1e-9), expected, "{x} {y}");
+        }
+    }
+    let recess = Recess { goes_on: &|at, _| at[1] > 3.0, ..recess };
+    let surface = sheet.surface().unwrap();
+    let place = surface.fronts(&recess).near([5.0, 1.0, 2.0]).unwrap();
+    assert!(place.at[1] >= 3.0 - 1e-9 && (place.at[0] - 4.0).abs() < 1e-12, "{place:?}");
+    assert!((place.ahead[0] - 1.0).abs() < 1e-12 && place.normal[2].abs() > 1.0 - 1e-12, "{place:?}");
+}

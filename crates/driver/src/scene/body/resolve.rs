@@ -12,7 +12,7 @@ use super::load::sums::BodyLoads;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
 use super::read::fields::Says;
-use super::read::front::{Beside, FrontJump};
+use super::read::front::{Beside, FrontFault, FrontJump};
 use super::read::intensities::{self, Intensity};
 use super::read::jump::Jump;
 use super::read::outputs::{self, OutputLine};
@@ -31,7 +31,7 @@ use crate::model::{USUAL_HORIZON_RATIO, with_body};
 use crate::scene::files;
 use crate::scene::path::PathScene;
 use crate::scene::solids_only;
-use peristat_assembly::body::{Crack, CrackSurface, PointBody, in_space};
+use peristat_assembly::body::{Crack, PointBody, in_space};
 use peristat_assembly::model::BodyModel;
 
 impl BodyScene {
@@ -252,15 +252,15 @@ impl Readings {
             let inside = |p: [f64; 3]| site.ground.point_at(p, &at, "", &mut Faults::default()).map(number);
             Jump::at(ends, site.inputs.horizon, site.interpolation, &inside)
         };
-        let find_front = |surface: &CrackSurface, position: [f64; 3]| {
+        let paths: Vec<Crack> = site.cracks.iter().map(|named| named.crack.clone()).collect();
+        let find_front = |crack: usize, position: [f64; 3]| {
             let at = JsonPath::default();
             let inside = |p: [f64; 3]| site.ground.point_at(p, &at, "", &mut Faults::default()).map(number);
             let (horizon, symmetry) = (site.inputs.horizon, &site.inputs.symmetry);
-            FrontJump::at(
-                surface,
-                position,
-                &Beside { horizon, symmetry, on: site.interpolation, inside: &inside },
-            )
+            let surface = paths[crack].surface().ok_or(FrontFault::Far)?;
+            let fronts = site.inputs.around().with_recess(crack, &paths, |recess| surface.fronts(recess));
+            let beside = Beside { horizon, symmetry, on: site.interpolation, inside: &inside };
+            FrontJump::at((surface, &fronts), position, &beside)
         };
         let find: Option<&intensities::FindJump> = if moves && is_plane { Some(&find) } else { None };
         let intensities = intensities::intensities(

@@ -2,7 +2,7 @@
 
 use super::super::front::{FrontPlace, Recess};
 use nalgebra::Vector3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// An edge that belongs to one piece alone.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,18 +24,26 @@ impl Edge {
     }
 
     /// Its parts beyond which the body goes on.
-    pub(super) fn fronts(&self, recess: &Recess) -> Vec<[Vector3<f64>; 2]> {
-        let mut found: Vec<[Vector3<f64>; 2]> = Vec::new();
+    pub(super) fn fronts(&self, recess: &Recess) -> Vec<Self> {
+        let mut found: Vec<Self> = Vec::new();
         for [from, to] in self.parts(recess.step, recess.within) {
             if !(recess.goes_on)(((from + to) * 0.5).into(), self.outward.into()) {
                 continue;
             }
-            match found.last_mut().filter(|last| last[1] == from) {
-                Some(last) => last[1] = to,
-                None => found.push([from, to]),
+            match found.last_mut().filter(|last| last.ends[1] == from) {
+                Some(last) => last.ends[1] = to,
+                None => found.push(Self { ends: [from, to], outward: self.outward }),
             }
         }
         found
+    }
+
+    /// Distance of a place from it, m.
+    pub(super) fn distance(&self, at: Vector3<f64>) -> f64 {
+        let [from, to] = self.ends;
+        let along = to - from;
+        let share = (at - from).dot(&along) / along.norm_squared();
+        (at - from - along * share.clamp(0.0, 1.0)).norm()
     }
 
     /// The place on it that is nearest to some place, m.
@@ -75,21 +83,25 @@ impl Edge {
 }
 
 /// The edges of some plane polygons in space that are none of another one.
-pub(super) fn open_edges(polygons: &[Vec<[f64; 3]>]) -> Vec<Edge> {
-    let key = |[a, b]: [[f64; 3]; 2]| {
-        // Zero has two signs.
-        let bits = |at: [f64; 3]| at.map(|x| (x + 0.0).to_bits());
-        let (a, b) = (bits(a), bits(b));
-        if a <= b { [a, b] } else { [b, a] }
+pub(super) fn border_edges(polygons: &[Vec<[f64; 3]>]) -> Vec<Edge> {
+    // Zero has two signs.
+    let bits = |at: &[f64; 3]| at.map(|x| (x + 0.0).to_bits());
+    let sorted = |corners: &[[f64; 3]]| {
+        let mut corners: Vec<[u64; 3]> = corners.iter().map(bits).collect();
+        corners.sort_unstable();
+        corners
     };
+    // One that is listed twice is one.
+    let mut known = HashSet::new();
+    let polygons: Vec<&Vec<[f64; 3]>> = polygons.iter().filter(|p| known.insert(sorted(p))).collect();
     let edges = || {
-        polygons.iter().flat_map(|corners| {
+        polygons.iter().flat_map(|&corners| {
             (0..corners.len()).map(move |k| (corners, [corners[k], corners[(k + 1) % corners.len()]]))
         })
     };
-    let mut uses: HashMap<_, usize> = HashMap::new();
-    edges().for_each(|(_, ends)| *uses.entry(key(ends)).or_default() += 1);
-    let single = edges().filter(|(_, ends)| uses[&key(*ends)] == 1);
+    let mut uses: HashMap<Vec<[u64; 3]>, usize> = HashMap::new();
+    edges().for_each(|(_, ends)| *uses.entry(sorted(&ends)).or_default() += 1);
+    let single = edges().filter(|(_, ends)| uses[&sorted(ends)] == 1);
     single.filter_map(|(corners, ends)| edge(corners, ends.map(Vector3::from))).collect()
 }
 
@@ -99,11 +111,4 @@ fn edge(corners: &[[f64; 3]], ends: [Vector3<f64>; 2]) -> Option<Edge> {
     let normal: Vector3<f64> = corners.windows(2).map(|pair| arm(&pair[0]).cross(&arm(&pair[1]))).sum();
     let outward = (ends[1] - ends[0]).cross(&normal).try_normalize(0.0)?;
     outward.iter().all(|x| x.is_finite()).then_some(Edge { ends, outward })
-}
-
-/// Distance of a place from an edge, m.
-pub(super) fn distance(at: Vector3<f64>, [from, to]: &[Vector3<f64>; 2]) -> f64 {
-    let along = to - from;
-    let share = (at - from).dot(&along) / along.norm_squared();
-    (at - from - along * share.clamp(0.0, 1.0)).norm()
 }

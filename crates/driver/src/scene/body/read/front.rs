@@ -5,7 +5,7 @@
 
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
 use crate::scene::body::site::symmetry::Symmetry;
-use peristat_assembly::body::{CRACK_SLACK, CrackSurface, FrontPlace};
+use peristat_assembly::body::{CRACK_SLACK, CrackSurface, FrontPlace, Fronts};
 use std::f64::consts::TAU;
 
 /// Distances behind the front, spacings: nearer to it bonds reach around it. They are for a horizon of three spacings or less.
@@ -15,12 +15,23 @@ const HORIZON: f64 = 3.0;
 /// How far a position may lie from the front, spacings.
 const NEAR: f64 = 1.0;
 
+/// How far behind a place of a front another one may be, over the farthest distance: corners of a front of straight pieces are nearer.
+const OTHER: f64 = 0.8;
+
+/// How far a normal may be off an axis.
+const ALONG: f64 = 1e-6;
+
+/// How far faces may lie off the plane of a place, spacings.
+const FLAT: f64 = 0.1;
+
 /// Why a stress intensity cannot be found at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum FrontFault {
     /// It has no place of the front in the body beside it.
     Far,
-    /// The crack is bent or ends behind it, has another front nearer there, or is outside of the body.
+    /// The crack runs across layers of points, so that faces are not found beside it.
+    Slanted,
+    /// The crack is bent or ends behind it, has another front or crack beside it there, or is outside of the body.
     Short {
         /// How far it must be straight and in the body, spacings.
         spacings: f64,
@@ -56,16 +67,17 @@ impl FrontJump {
     /// # Errors
     /// [`FrontFault`].
     pub(crate) fn at(
-        surface: &CrackSurface,
+        (surface, fronts): (&CrackSurface, &Fronts),
         position: [f64; 3],
         beside: &Beside,
     ) -> Result<Self, FrontFault> {
         let h = beside.on.body.spacing();
-        let place = surface.front_near(position).ok_or(FrontFault::Far)?;
-        let far = distance(place.at, position);
-        let ahead = [0, 1, 2].map(|k| place.at[k] + h * place.ahead[k]);
-        if far > NEAR * h || (beside.inside)(ahead).is_none() {
+        let place = fronts.near(position).ok_or(FrontFault::Far)?;
+        if distance(place.at, position) > NEAR * h {
             return Err(FrontFault::Far);
+        }
+        if place.normal.iter().all(|n| n.abs() < 1.0 - ALONG) {
+            return Err(FrontFault::Slanted);
         }
         let widened = (beside.horizon / (HORIZON * h)).max(1.0);
         let short = FrontFault::Short { spacings: widened * BEHIND[BEHIND.len() - 1] };
@@ -73,8 +85,8 @@ impl FrontJump {
         let jumps = BEHIND.map(|r| {
             let r = r * widened * h;
             let behind = [0, 1, 2].map(|k| place.at[k] - r * place.ahead[k]);
-            let nearest = surface.front_near(behind).map_or(0.0, |other| distance(other.at, behind));
-            let is_on = surface.cuts(behind, behind, CRACK_SLACK * h) && nearest > r - CRACK_SLACK * h;
+            let nearest = fronts.near(behind).map_or(0.0, |other| distance(other.at, behind));
+            let is_on = surface.cuts(behind, behind, FLAT * h) && nearest > OTHER * r;
             let weights = is_on.then(|| jump(behind, place.normal, mirror, beside)).flatten();
             weights.map(|weights| (r, weights)).ok_or(short)
         });
@@ -135,9 +147,15 @@ fn jump(place: [f64; 3], normal: [f64; 3], mirror: Option<f64>, beside: &Beside)
     };
     let mut weights = Weights::new();
     for (side, times) in faces {
+        let beside_it = |off: f64| [0, 1, 2].map(|k| place[k] + side * off * h * normal[k]);
+        // No other crack between the faces and the points beside them.
+        let [near, far] = [0.2, 1.5].map(beside_it);
+        if beside.on.cracks.iter().any(|crack| crack.cuts(near, far, CRACK_SLACK * h)) {
+            return None;
+        }
         // The face itself from the two layers beside it.
-        for (off, share) in [(0.5 * h, 1.5), (1.5 * h, -0.5)] {
-            let at = [0, 1, 2].map(|k| place[k] + side * off * normal[k]);
+        for (off, share) in [(0.5, 1.5), (1.5, -0.5)] {
+            let at = beside_it(off);
             let found = beside.on.at(at, (beside.inside)(at)?);
             weights.extend(found.into_iter().map(|(point, w)| (point, side * times * share * w)));
         }
@@ -148,6 +166,7 @@ fn jump(place: [f64; 3], normal: [f64; 3], mirror: Option<f64>, beside: &Beside)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::body::site::fronts::Around;
     use peristat_assembly::body::{Crack, PointBody, SquareLattice};
 
     #[test]
@@ -166,7 +185,13 @@ mod tests {
         let inside = |at: [f64; 3]| solid.number(solid.cell_around(at)).map(|p| p as u32);
         let symmetry = Symmetry::default();
         let beside = Beside { horizon: 1.0, symmetry: &symmetry, on: &on, inside: &inside };
-        let front = FrontJump::at(&surface, [6.2, 5.0, 6.0], &beside).unwrap();
+        let find = |surface: &CrackSurface, position: [f64; 3]| {
+            let around = Around { body: &body, symmetry: &symmetry, horizon: 1.0 };
+            let fronts =
+                around.with_recess(0, &[Crack::from(surface.clone())], |recess| surface.fronts(recess));
+            FrontJump::at((surface, &fronts), position, &beside)
+        };
+        let front = find(&surface, [6.2, 5.0, 6.0]).unwrap();
         // Faces part by 2 (K/M) sqrt(r/2 pi) each way, beside a uniform strain; E' and the shear modulus are 8 and 4.
         let asked = [3.0, -2.0, 1.5];
         let displacement = |p: u32| {
@@ -184,12 +209,27 @@ mod tests {
             // Roots are continued linearly between points.
             assert!((found / asked - 1.0).abs() < 0.01, "{found} {asked}");
         }
-        assert_eq!(FrontJump::at(&surface, [3.0, 5.0, 6.0], &beside), Err(FrontFault::Far));
-        assert_eq!(FrontJump::at(&surface, [3.0, 13.0, 6.0], &beside), Err(FrontFault::Far));
+        assert_eq!(find(&surface, [3.0, 5.0, 6.0]), Err(FrontFault::Far));
+        assert_eq!(find(&surface, [3.0, 13.0, 6.0]), Err(FrontFault::Far));
         let narrow = CrackSurface::disc([6.0, 6.0, 6.0], [0.0, 0.0, 1.0], [0.0, 1.5]).unwrap();
-        assert_eq!(
-            FrontJump::at(&narrow, [7.5, 6.0, 6.0], &beside),
-            Err(FrontFault::Short { spacings: 4.0 })
-        );
+        assert_eq!(find(&narrow, [7.5, 6.0, 6.0]), Err(FrontFault::Short { spacings: 4.0 }));
+    }
+
+    #[test]
+    fn seams_whose_corners_do_not_match_are_no_fronts() {
+        let body = PointBody::Solid(SquareLattice::cuboid(0.5, [0.0; 3], [24; 3]));
+        let symmetry = Symmetry::default();
+        let at = |x: f64, y: f64| [x, y, 6.0];
+        // One triangle on the left of a diagonal, two on its right.
+        let surface = CrackSurface::triangles([
+            [at(2.0, 2.0), at(8.0, 8.0), at(2.0, 8.0)],
+            [at(2.0, 2.0), at(8.0, 2.0), at(5.0, 5.0)],
+            [at(8.0, 2.0), at(8.0, 8.0), at(5.0, 5.0)],
+        ])
+        .unwrap();
+        let around = Around { body: &body, symmetry: &symmetry, horizon: 1.0 };
+        let fronts = around.with_recess(0, &[Crack::from(surface.clone())], |recess| surface.fronts(recess));
+        let place = fronts.near([5.2, 4.8, 6.0]).unwrap();
+        assert!((distance(place.at, [5.2, 4.8, 6.0]) - 2.8).abs() < 0.01, "{place:?}");
     }
 }

@@ -32,8 +32,8 @@ pub struct Intensity {
 /// How the faces of a crack part at a tip: of the tip and the vertex before it, if these leave room for it.
 pub(crate) type FindJump<'a> = dyn Fn([[f64; 2]; 2]) -> Option<Jump> + 'a;
 
-/// How the faces of a crack part at the place of its front nearest to a position.
-pub(crate) type FindFront<'a> = dyn Fn(&CrackSurface, [f64; 3]) -> Result<FrontJump, FrontFault> + 'a;
+/// How the faces of a crack of this number, a surface, part at the place of its front nearest to a position.
+pub(crate) type FindFront<'a> = dyn Fn(usize, [f64; 3]) -> Result<FrontJump, FrontFault> + 'a;
 
 /// Stress intensities of the case.
 pub(crate) fn intensities(
@@ -85,8 +85,8 @@ pub(crate) fn intensities(
                 .hint("leave `quantity` out: `j_integral` is in the curve");
         }
         let front = match (given.at, cracks[crack].crack.surface()) {
-            (Some(at), Some(surface)) => {
-                place_of_front(surface, at, (find_front, around.spacing), &path.key("at"), faults)
+            (Some(at), Some(_)) => {
+                place_of_front(crack, at, (find_front, around.spacing), &path.key("at"), faults)
             }
             _ => None,
         };
@@ -111,7 +111,7 @@ pub(crate) fn intensities(
 
 /// How the faces of a crack part at a place of its front.
 fn place_of_front(
-    surface: &CrackSurface,
+    crack: usize,
     at: [f64; 3],
     (find, spacing): (&FindFront, f64),
     path: &JsonPath,
@@ -126,17 +126,22 @@ fn place_of_front(
                 )
                 .hint("give a position on it; a disc has its front on its rim, a polygon on its edges");
         }
+        FrontFault::Slanted => {
+            faults
+                .error(path.clone(), "modes are found of cracks along layers of points, and this one is slanted")
+                .hint("turn the body so that the crack is across x, y or z, or leave `at` out: the mean of a disc is found in any direction");
+        }
         FrontFault::Short { spacings } => {
             let far = tidy(spacings * spacing);
             faults
                 .error(
                     path.clone(),
-                    format!("behind this position the crack is not plane, in the body and without another front for {far}"),
+                    format!("behind this position the crack is not plane, in the body and without another front or crack for {far}"),
                 )
                 .hint("its faces are compared up to there: use a smaller spacing, or another position");
         }
     };
-    find(surface, at).map_err(refuse).ok()
+    find(crack, at).map_err(refuse).ok()
 }
 
 /// How the faces of a crack part at the one tip whose modes are asked for.

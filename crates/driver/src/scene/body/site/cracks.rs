@@ -137,6 +137,7 @@ pub(crate) fn check(
             })
         }
     };
+    let as_cut = inputs.as_cut(&cracks.iter().map(|named| named.crack.clone()).collect::<Vec<Crack>>());
     for (k, named) in cracks.iter().enumerate() {
         let path = root("cracks").index(k);
         let path = if named.crack.surface().is_none() { path.key("path") } else { path };
@@ -149,11 +150,11 @@ pub(crate) fn check(
                 "the body reaches from ({}, {}) to ({}, {})",
                 low[0], low[1], high[0], high[1]
             ));
-        } else if is_built && !inputs.is_cut_by(&named.crack) {
+        } else if is_built && !inputs.is_cut_by(&as_cut[k]) {
             faults
                 .warning(path, format!("the crack `{}` cuts no bond", named.name))
                 .hint("a crack smaller than the spacing, in a hole or outside of the body does nothing");
-        } else if inputs.comes_back(&named.crack) {
+        } else if inputs.is_cut_by_image_of(&named.crack) {
             faults
                 .error(
                     path,

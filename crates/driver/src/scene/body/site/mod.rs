@@ -9,7 +9,7 @@ pub(crate) mod cracks;
 mod drawn;
 pub(crate) mod files;
 pub(crate) mod foreign;
-mod fronts;
+pub(crate) mod fronts;
 pub(crate) mod given_body;
 pub(crate) mod ground;
 pub(crate) mod held_angle;

@@ -7,7 +7,9 @@ use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
 use crate::case::{Case, CrackFronts};
 use crate::model::{AnyBody, Material, Mixture, OnGround, OnLattice, Refusal};
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds, plus};
+use peristat_assembly::body::{
+    CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds, in_space, plus,
+};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
 use std::collections::HashSet;
@@ -47,11 +49,20 @@ impl ModelInputs {
 
     /// Cracks as they cut bonds, with their images.
     pub(crate) fn acting(&self, cracks: &[Crack]) -> Vec<Crack> {
-        if cracks.is_empty() || self.crack_fronts == CrackFronts::Crossed {
-            return self.symmetry.with_images(cracks);
+        self.symmetry.with_images(&self.as_cut(cracks))
+    }
+
+    /// Cracks as they cut bonds.
+    pub(crate) fn as_cut(&self, cracks: &[Crack]) -> Vec<Crack> {
+        match self.crack_fronts {
+            CrackFronts::Effective => self.around().receded(cracks),
+            CrackFronts::Crossed => cracks.to_vec(),
         }
-        let around = fronts::Around { body: &self.body, symmetry: &self.symmetry, horizon: self.horizon };
-        self.symmetry.with_images(&around.receded(cracks))
+    }
+
+    /// What cracks end in.
+    pub(crate) fn around(&self) -> fronts::Around<'_> {
+        fronts::Around { body: &self.body, symmetry: &self.symmetry, horizon: self.horizon }
     }
 
     /// The model with all bonds cut that some cracks cross.
@@ -142,20 +153,30 @@ impl ModelInputs {
         }
     }
 
-    /// Whether the image of a crack in a mirror cuts bonds before that mirror which the crack does not cut itself: it reaches beyond it.
-    pub(crate) fn comes_back(&self, crack: &Crack) -> bool {
-        let Some(lattice) = self.body.cells().filter(|_| !self.symmetry.mirrors.is_none()) else {
+    /// Whether the image of a crack in a mirror cuts bonds before that mirror which the crack does not cut itself.
+    pub(crate) fn is_cut_by_image_of(&self, crack: &Crack) -> bool {
+        let Some(lattice) = self.body.cells() else { return false };
+        let slack = CRACK_SLACK * lattice.spacing();
+        let ends = crack.surface().map_or_else(Vec::new, |surface| surface.boxes().flatten().collect());
+        let ends: Vec<[f64; 3]> = crack.vertices().iter().map(|v| in_space(*v)).chain(ends).collect();
+        let mirrors = self.symmetry.at.iter().enumerate().filter_map(|(side, at)| Some((side, (*at)?)));
+        // A crack that stays before a mirror has its image behind it.
+        let beyond = mirrors.filter(|&(side, at)| {
+            let outwards = if side % 2 == 1 { 1.0 } else { -1.0 };
+            ends.iter().any(|end| outwards * (end[side / 2] - at) > slack)
+        });
+        let beyond: Vec<(usize, f64)> = beyond.collect();
+        if beyond.is_empty() {
             return false;
-        };
-        let (depth, offsets) =
-            (self.material.depth().unwrap_or(0), self.material.offsets().unwrap_or_default());
+        }
+        let depth = self.material.depth().unwrap_or(0);
+        let offsets = self.material.offsets().unwrap_or_default();
         let extended = self.symmetry.mirrors.extended(lattice, depth);
         let cut = |crack: Crack| cut_bonds(&extended, &offsets, &[crack]);
         let own: HashSet<(usize, usize)> = cut(crack.clone()).into_iter().collect();
-        let mirrors = self.symmetry.at.iter().enumerate().filter_map(|(side, at)| Some((side, (*at)?)));
-        mirrors.into_iter().any(|(side, at)| {
-            let (axis, is_high) = (side / 2, side % 2 == 1);
-            let is_before = |cell: Cell| (lattice.centre(cell)[axis] < at) == is_high;
+        beyond.into_iter().any(|(side, at)| {
+            let axis = side / 2;
+            let is_before = |cell: Cell| (lattice.centre(cell)[axis] < at) == (side % 2 == 1);
             let planes = [0, 1, 2].map(|k| (k == axis).then_some(at));
             cut(crack.reflected(planes)).into_iter().filter(|bond| !own.contains(bond)).any(
                 |(step, lower)| {
