@@ -1,8 +1,8 @@
 //! Surfaces that cut the bonds of solids: discs, rings, plane polygons and triangles.
 
 mod edge;
-mod front;
 mod fronts;
+mod grown;
 
 use super::super::geometry::{Point, between_segments, distance, to_segment};
 use super::super::polygon::{Polygon, PolygonError};

@@ -16,13 +16,13 @@ pub(crate) struct Around<'a> {
 }
 
 impl Around<'_> {
-    /// Some cracks with receded fronts.
+    /// Some cracks as they cut bonds: with receded fronts.
     pub(super) fn receded(&self, cracks: &[Crack]) -> Vec<Crack> {
         let of = |own: usize| self.with_recess(own, cracks, |recess| cracks[own].receded(recess));
         (0..cracks.len()).map(of).collect()
     }
 
-    /// What is found with the recess of one of some cracks.
+    /// What `find` gives with the recess of one of some cracks, by its number.
     pub(crate) fn with_recess<T>(&self, own: usize, cracks: &[Crack], find: impl Fn(&Recess) -> T) -> T {
         let by = SHARE * self.horizon;
         let whole = &cracks[own];

@@ -1,4 +1,4 @@
-//! Fronts of discs and rings: their rim, of a ring the inner one.
+//! Discs and rings whose front grows as a whole: the rim of a disc, of a ring the inner one.
 
 use super::{CrackSurface, Flat, Piece};
 use std::f64::consts::TAU;
