@@ -5,6 +5,7 @@
 //! segments of the crack, or of its front along a disc (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too: how
 //! the faces part tells `K_I` and `K_II`, whose squares sum to `E' G`. In antiplane shear it is K_III, with twice the shear modulus in place of E'.
 
+use super::modes::stiffness;
 use crate::case::{TipQuantity, Tips};
 use crate::diagnostic::Faults;
 use crate::model::with_body;
@@ -25,9 +26,6 @@ pub(super) struct Found {
     /// Wall time, s.
     pub(super) seconds: f64,
 }
-
-/// A stress along x alone.
-pub(super) const ALONG_X: [f64; 6] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
 /// All stress intensities that a case asks for.
 ///
@@ -124,20 +122,6 @@ fn repeat([x, y]: [f64; 2]) -> Option<f64> {
     let all = (-REPEATS..=REPEATS).flat_map(|i| (-REPEATS..=REPEATS).map(move |j| (i, j)));
     let sizes = all.filter(|&(i, j)| is_along(i, j)).map(|(i, j)| f64::from(i).hypot(f64::from(j)));
     sizes.min_by(f64::total_cmp)
-}
-
-/// E' of an isotropic material, and 2 G of one in antiplane shear, Pa.
-pub(super) fn stiffness(scene: &BodyScene) -> f64 {
-    let [along, across, ..] = scene.model.strains_of(ALONG_X, 0.0);
-    let modulus = 1.0 / along;
-    if scene.model.as_solid().is_some() {
-        // The front of a crack in a solid does not stretch along itself.
-        modulus / (1.0 - (across / along).powi(2))
-    } else if scene.model.along(0).is_some() {
-        modulus
-    } else {
-        2.0 * modulus
-    }
 }
 
 /// The area by which a crack grows where its tips, or its front, move from a step back to one ahead, m².

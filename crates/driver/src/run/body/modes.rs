@@ -1,9 +1,11 @@
 //! Modes at the tips and fronts of cracks.
 
-use super::intensity;
 use crate::case::TipQuantity;
 use crate::scene::body::read::front::FrontJump;
 use crate::scene::body::{BodyScene, Intensity};
+
+/// A stress along x alone.
+pub(super) const ALONG_X: [f64; 6] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
 /// What is reported of a tip in a state: `whole`, or the part of this `√(E' G)` that is of one mode. `u` are the unknowns.
 ///
@@ -28,7 +30,7 @@ pub(super) fn reported(scene: &BodyScene, intensity: &Intensity, whole: f64, u: 
 /// What is reported of a place of a front: `E' G = K_I² + K_II² + K_III² E'/(2 G)`, with the shear modulus on the right.
 fn at_front(scene: &BodyScene, front: &FrontJump, quantity: TipQuantity, u: &[f64]) -> f64 {
     let [first, second, third] = of_front(scene, front, u);
-    let modulus = intensity::stiffness(scene);
+    let modulus = stiffness(scene);
     let square = first * first + second * second + third * third * modulus / (2.0 * shear_modulus(scene));
     match quantity {
         TipQuantity::K => square.sqrt(),
@@ -43,12 +45,26 @@ fn at_front(scene: &BodyScene, front: &FrontJump, quantity: TipQuantity, u: &[f6
 pub(super) fn of_front(scene: &BodyScene, front: &FrontJump, u: &[f64]) -> [f64; 3] {
     let points = scene.model.points();
     let planes = [0, 1, 2].map(|axis| scene.model.along(axis).unwrap_or(axis) * points);
-    let stiffness = [intensity::stiffness(scene), shear_modulus(scene)];
-    front.modes(stiffness, |p| planes.map(|plane| u[plane + p as usize]))
+    let moduli = [stiffness(scene), shear_modulus(scene)];
+    front.modes(moduli, |p| planes.map(|plane| u[plane + p as usize]))
+}
+
+/// E' of an isotropic material, and 2 G of one in antiplane shear, Pa.
+pub(super) fn stiffness(scene: &BodyScene) -> f64 {
+    let [along, across, ..] = scene.model.strains_of(ALONG_X, 0.0);
+    let modulus = 1.0 / along;
+    if scene.model.as_solid().is_some() {
+        // The front of a crack in a solid does not stretch along itself.
+        modulus / (1.0 - (across / along).powi(2))
+    } else if scene.model.along(0).is_some() {
+        modulus
+    } else {
+        2.0 * modulus
+    }
 }
 
 /// Shear modulus of an isotropic material, Pa.
 fn shear_modulus(scene: &BodyScene) -> f64 {
-    let [along, across, ..] = scene.model.strains_of(intensity::ALONG_X, 0.0);
+    let [along, across, ..] = scene.model.strains_of(ALONG_X, 0.0);
     0.5 / (along - across)
 }

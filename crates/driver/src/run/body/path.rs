@@ -1,7 +1,7 @@
 //! Bodies in the plane whose bonds soften.
 
 use super::fields::{BodyResult, Recovered, parted};
-use super::intensity::ALONG_X;
+use super::modes::ALONG_X;
 use super::{crack_front, grips, verdict};
 use crate::run::body::BodyProblem;
 use crate::run::fracture::Facts;
