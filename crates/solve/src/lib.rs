@@ -20,6 +20,7 @@
 //! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
 //!   accurately than the assembled matrix could is the truth;
+//! * [`ReducedPcg`] solves with a matrix that differs from a factored one in a few unknowns, among which it iterates;
 //! * [`Multigrid`] is a preconditioner for matrices too large to factor, given the levels of a [`Hierarchy`];
 //! * [`Deflated`] adds to a preconditioner what it does not know of a few smooth vectors;
 //! * [`Semicoarsening`] makes such levels from a matrix, coarser along one direction only;
@@ -51,14 +52,14 @@ mod sparse;
 pub use band::{BandCholesky, BandMatrix};
 pub use choice::{Method, Profile, choose};
 pub use deflated::{Deflated, SmoothVectors};
-pub use dissected::DissectedCholesky;
+pub use dissected::{DissectedCholesky, Reach};
 pub use dissection::{Dissection, PointGraph, nested_dissection};
 pub use error::FactorError;
 pub use hierarchy::{Hierarchy, Relaxation};
 pub use low_rank::LowRank;
 pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
-pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
+pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus, ReducedPcg};
 pub use ranks::{Halo, Ranks};
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
 pub use semicoarsening::{LinePlace, Semicoarsening};

@@ -17,10 +17,12 @@
 //!   counts as converged.
 
 mod lanczos;
+mod reduced;
 mod report;
 
 use crate::{LinearOperator, Preconditioner};
 use peristat_vector::{add, advance, dot, subtract};
+pub use reduced::ReducedPcg;
 use report::Watch;
 pub use report::{PcgOptions, PcgReport, PcgStatus};
 

@@ -4,7 +4,7 @@ use super::factor::{self, SparseFactor, lifted};
 use super::solve_failure::SolveFailure;
 use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;
-use peristat_solve::Preconditioner;
+use peristat_solve::{DissectedCholesky, Preconditioner};
 use sprs::{CsMat, TriMat};
 use std::time::Instant;
 
@@ -80,6 +80,14 @@ impl KeptFactor {
         let done = self.refactor(system, counters);
         timing.factor += begin.elapsed().as_secs_f64();
         done
+    }
+
+    /// The factor if it is one by halves.
+    pub(super) fn dissected(&mut self) -> Option<&mut DissectedCholesky> {
+        match &mut self.factor {
+            SparseFactor::Dissected(factor) => Some(factor),
+            SparseFactor::Whole(_) => None,
+        }
     }
 
     fn refactor<const D: usize>(

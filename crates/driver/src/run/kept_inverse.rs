@@ -8,7 +8,7 @@ use super::{Coarser, Counters, Problem, Timing};
 use crate::case::Solver;
 use peristat_assembly::cubic::CubicLevels;
 use peristat_assembly::system::System;
-use peristat_solve::Preconditioner;
+use peristat_solve::{DissectedCholesky, Preconditioner};
 use std::time::Instant;
 
 /// It is that of the system as it was when it was made.
@@ -86,6 +86,14 @@ impl KeptInverse {
                 "a large solid that breaks: coarser lattices, cut where its bonds break, take less than a factor".into(),
             ),
             (Self::Cycle(..), _) => ("multigrid", "the case asks for it".into()),
+        }
+    }
+
+    /// The factor that solves among a few unknowns, too.
+    pub(super) fn dissected(&mut self) -> Option<&mut DissectedCholesky> {
+        match self {
+            Self::Factor(factor) => factor.dissected(),
+            Self::Cycle(..) => None,
         }
     }
 

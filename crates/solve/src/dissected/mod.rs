@@ -1,6 +1,7 @@
 //! Cholesky factor of a dissected matrix, its halves side by side where there are two threads.
 
 mod part;
+mod reach;
 mod structure;
 
 use crate::sparse::{buffer, check_finite, check_square, coupled, fingerprint};
@@ -10,6 +11,7 @@ use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Mat, MatMut, Par};
 use part::Part;
+pub use reach::Reach;
 use sprs::CsMat;
 
 /// `A = L L^T` of a matrix whose unknowns are dissected: with halves 1 and 2 and their separator S,
@@ -132,6 +134,73 @@ impl DissectedCholesky {
         Ok(())
     }
 
+    /// What solves need whose right-hand sides are zero beside some unknowns.
+    ///
+    /// # Panics
+    ///
+    /// If an unknown is none of the matrix.
+    #[must_use]
+    pub fn reach(&self, unknowns: Vec<usize>) -> Reach {
+        let [first, second] = &self.parts;
+        Reach::new(self.order, [first, second], &self.separator, unknowns)
+    }
+
+    /// Solves for the unknowns of `reach`, with a right-hand side that is zero beside them: both have entries for these alone.
+    ///
+    /// # Panics
+    ///
+    /// If no matrix has been factored since the analysis or the last failure, or a vector is shorter.
+    pub fn apply_within(&mut self, reach: &Reach, r: &[f64], z: &mut [f64]) {
+        let x = self.eliminated(reach, r);
+        let ([first, second], [one, two]) = (&mut self.parts, &reach.parts);
+        both(|| first.backward_to(one, &x), || second.backward_to(two, &x));
+        first.gather(one, z);
+        second.gather(two, z);
+        reach.separator.iter().for_each(|place| z[place.among as usize] = x[place.own as usize]);
+    }
+
+    /// Solves for all unknowns `z`, with a right-hand side that is zero beside those of `reach` and has entries for these alone.
+    ///
+    /// # Panics
+    ///
+    /// As [`apply_within`](Self::apply_within).
+    pub fn apply_from(&mut self, reach: &Reach, r: &[f64], z: &mut [f64]) {
+        let x = self.eliminated(reach, r);
+        self.finish(&x, z);
+    }
+
+    /// The separator of a solution, with the halves ready to be substituted.
+    fn eliminated(&mut self, reach: &Reach, r: &[f64]) -> Vec<f64> {
+        assert!(self.ready, "a matrix has been factored");
+        let ([first, second], [one, two]) = (&mut self.parts, &reach.parts);
+        both(|| first.forward_from(one, r), || second.forward_from(two, r));
+        let mut own = vec![0.0; self.separator.len()];
+        reach.separator.iter().for_each(|place| own[place.own as usize] = r[place.among as usize]);
+        self.separated(own)
+    }
+
+    /// The separator of a solution, from its right-hand side after the halves were eliminated.
+    fn separated(&self, mut x: Vec<f64>) -> Vec<f64> {
+        let left = self.parts[0].last().iter().zip(self.parts[1].last());
+        x.iter_mut().zip(left).for_each(|(x, (one, two))| *x = *x + one + two);
+        let size = x.len();
+        let mut column = MatMut::from_column_major_slice_mut(&mut x, size, 1);
+        solve_lower_triangular_in_place(self.schur.as_ref(), column.as_mut(), Par::Seq);
+        solve_upper_triangular_in_place(self.schur.transpose(), column.as_mut(), Par::Seq);
+        x
+    }
+
+    /// Substitutes the halves, and writes the whole solution.
+    fn finish(&mut self, separator: &[f64], z: &mut [f64]) {
+        let [first, second] = &mut self.parts;
+        both(|| first.backward(separator), || second.backward(separator));
+        for (unknown, value) in self.separator.iter().zip(separator) {
+            z[*unknown as usize] = *value;
+        }
+        first.scatter(z);
+        second.scatter(z);
+    }
+
     /// Stored entries of the factors, the padding of dense blocks and what the separator has twice
     /// included.
     #[must_use]
@@ -172,19 +241,8 @@ impl Preconditioner for DissectedCholesky {
         assert_eq!((r.len(), z.len()), (self.order, self.order), "vectors of the order of the matrix");
         let [first, second] = &mut self.parts;
         both(|| first.forward(r), || second.forward(r));
-        let left = first.last().iter().zip(second.last());
-        let sums = self.separator.iter().zip(left).map(|(i, (one, two))| r[*i as usize] + one + two);
-        let mut x: Vec<f64> = sums.collect();
-        let size = x.len();
-        let mut column = MatMut::from_column_major_slice_mut(&mut x, size, 1);
-        solve_lower_triangular_in_place(self.schur.as_ref(), column.as_mut(), Par::Seq);
-        solve_upper_triangular_in_place(self.schur.transpose(), column.as_mut(), Par::Seq);
-        both(|| first.backward(&x), || second.backward(&x));
-        for (unknown, value) in self.separator.iter().zip(&x) {
-            z[*unknown as usize] = *value;
-        }
-        first.scatter(z);
-        second.scatter(z);
+        let x = self.separated(self.separator.iter().map(|i| r[*i as usize]).collect());
+        self.finish(&x, z);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The factor of one half with the separator.
 
+use super::reach::{PartReach, Place};
 use super::structure::Structure;
 use crate::FactorError;
 use crate::sparse::{buffer, out_of_memory, zeros};
@@ -154,25 +155,38 @@ impl Part {
             *to = r[*unknown as usize];
         }
         last.fill(0.0);
-        let factor = supernodal::SupernodalLltRef::new(&self.symbolic, &self.values[..]);
-        for s in 0..self.symbolic.n_supernodes() {
-            let (begin, end) = self.columns(s);
-            if begin >= self.own {
-                break;
-            }
-            let width = end.min(self.own) - begin;
-            let block = factor.supernode(s);
-            let (top, below) = block.val().subcols(0, width).split_at_row(width);
-            let x = &mut self.x[begin..begin + width];
-            solve_lower_triangular_in_place(top, MatMut::from_column_major_slice_mut(x, width, 1), Par::Seq);
-            let product = &mut self.block[..below.nrows()];
-            let x = MatRef::from_column_major_slice(x, width, 1);
-            let to = MatMut::from_column_major_slice_mut(product, below.nrows(), 1);
-            matmul(to, Accum::Replace, below, x, 1.0, Par::Seq);
-            // A block may reach into the separator.
-            let rows = (begin + width..end).chain(block.pattern().iter().copied());
-            rows.zip(product).for_each(|(row, value)| self.x[row] -= *value);
+        for s in 0..self.blocks() {
+            self.eliminate(s);
         }
+    }
+
+    /// The same of a right-hand side that is zero beside some unknowns.
+    pub(super) fn forward_from(&mut self, reach: &PartReach, r: &[f64]) {
+        self.x.fill(0.0);
+        reach.places.iter().for_each(|place| self.x[place.own as usize] = r[place.among as usize]);
+        reach.blocks.iter().for_each(|s| self.eliminate(*s as usize));
+    }
+
+    /// Blocks that have columns of the half.
+    pub(super) fn blocks(&self) -> usize {
+        self.symbolic.supernode_begin().partition_point(|begin| *begin < self.own)
+    }
+
+    fn eliminate(&mut self, s: usize) {
+        let (begin, end) = self.columns(s);
+        let factor = supernodal::SupernodalLltRef::new(&self.symbolic, &self.values[..]);
+        let width = end.min(self.own) - begin;
+        let block = factor.supernode(s);
+        let (top, below) = block.val().subcols(0, width).split_at_row(width);
+        let x = &mut self.x[begin..begin + width];
+        solve_lower_triangular_in_place(top, MatMut::from_column_major_slice_mut(x, width, 1), Par::Seq);
+        let product = &mut self.block[..below.nrows()];
+        let x = MatRef::from_column_major_slice(x, width, 1);
+        let to = MatMut::from_column_major_slice_mut(product, below.nrows(), 1);
+        matmul(to, Accum::Replace, below, x, 1.0, Par::Seq);
+        // A block may reach into the separator.
+        let rows = (begin + width..end).chain(block.pattern().iter().copied());
+        rows.zip(product).for_each(|(row, value)| self.x[row] -= *value);
     }
 
     /// The separator's part of the vector.
@@ -183,23 +197,55 @@ impl Part {
     /// Solves for the half, given the values of the separator.
     pub(super) fn backward(&mut self, separator: &[f64]) {
         self.x[self.own..].copy_from_slice(separator);
-        let factor = supernodal::SupernodalLltRef::new(&self.symbolic, &self.values[..]);
-        for s in (0..self.symbolic.n_supernodes()).rev() {
-            let (begin, end) = self.columns(s);
-            if begin >= self.own {
-                continue;
-            }
-            let width = end.min(self.own) - begin;
-            let block = factor.supernode(s);
-            let (top, below) = block.val().subcols(0, width).split_at_row(width);
-            let known = &mut self.block[..below.nrows()];
-            let rows = (begin + width..end).chain(block.pattern().iter().copied());
-            rows.zip(&mut *known).for_each(|(row, value)| *value = self.x[row]);
-            let known = MatRef::from_column_major_slice(known, below.nrows(), 1);
-            let mut x = MatMut::from_column_major_slice_mut(&mut self.x[begin..begin + width], width, 1);
-            matmul(x.as_mut(), Accum::Add, below.transpose(), known, -1.0, Par::Seq);
-            solve_upper_triangular_in_place(top.transpose(), x, Par::Seq);
+        for s in (0..self.blocks()).rev() {
+            self.substitute(s);
         }
+    }
+
+    /// The same for some unknowns alone.
+    pub(super) fn backward_to(&mut self, reach: &PartReach, separator: &[f64]) {
+        self.x[self.own..].copy_from_slice(separator);
+        reach.blocks.iter().rev().for_each(|s| self.substitute(*s as usize));
+    }
+
+    fn substitute(&mut self, s: usize) {
+        let (begin, end) = self.columns(s);
+        let factor = supernodal::SupernodalLltRef::new(&self.symbolic, &self.values[..]);
+        let width = end.min(self.own) - begin;
+        let block = factor.supernode(s);
+        let (top, below) = block.val().subcols(0, width).split_at_row(width);
+        let known = &mut self.block[..below.nrows()];
+        let rows = (begin + width..end).chain(block.pattern().iter().copied());
+        rows.zip(&mut *known).for_each(|(row, value)| *value = self.x[row]);
+        let known = MatRef::from_column_major_slice(known, below.nrows(), 1);
+        let mut x = MatMut::from_column_major_slice_mut(&mut self.x[begin..begin + width], width, 1);
+        matmul(x.as_mut(), Accum::Add, below.transpose(), known, -1.0, Par::Seq);
+        solve_upper_triangular_in_place(top.transpose(), x, Par::Seq);
+    }
+
+    /// Writes those of some unknowns to their places among these.
+    pub(super) fn gather(&self, reach: &PartReach, z: &mut [f64]) {
+        reach.places.iter().for_each(|place| z[place.among as usize] = self.x[place.own as usize]);
+    }
+
+    /// What of the half some unknowns need, given the place of every unknown among them.
+    pub(super) fn reach(&self, among: &[Option<u32>]) -> PartReach {
+        let places = self.unknowns[..self.own].iter().enumerate();
+        let places: Vec<Place> = places
+            .filter_map(|(own, unknown)| Some(Place { own: own as u32, among: among[*unknown as usize]? }))
+            .collect();
+        let block_of = |column: usize| self.symbolic.supernode_end().partition_point(|end| *end <= column);
+        let mut is_reached = vec![false; self.blocks()];
+        places.iter().for_each(|place| is_reached[block_of(place.own as usize)] = true);
+        for s in 0..is_reached.len() {
+            // The first row below a block is in the next one that it changes.
+            let next = self.symbolic.supernode(s).pattern().iter().min().map(|row| block_of(*row));
+            if let Some(next) = next.filter(|next| is_reached[s] && *next < is_reached.len()) {
+                is_reached[next] = true;
+            }
+        }
+        let blocks = (0..is_reached.len()).filter(|s| is_reached[*s]).map(|s| s as u32).collect();
+        PartReach { blocks, places }
     }
 
     /// Writes the values of the half over those of a vector of all unknowns.

@@ -135,3 +135,42 @@ fn mistakes_are_reported() {
     let ordering = Ordering::Points { order: &[0, 0, 1], components: 1 };
     assert!(matches!(SparseCholesky::analyse(&three, ordering), Err(FactorError::Shape { .. })));
 }
+
+#[test]
+fn a_few_unknowns_are_solved_for_as_all_are() {
+    for (name, plane) in Plane::gallery() {
+        let matrix = plane.matrix(2);
+        let dissection = nested_dissection(&plane.positions, &PointGraph::from_matrix(&matrix, 2));
+        let mut factor = factored(&matrix, &dissection, 2);
+        // Neighbours in a part of the plane, and every unknown of the separator among others.
+        for keep in [|k: usize| (100..110).contains(&k), |k: usize| k % 7 == 0, |_: usize| false] {
+            let unknowns: Vec<usize> = (0..matrix.rows()).filter(|k| keep(*k)).collect();
+            let reach = factor.reach(unknowns.clone());
+            let mut r = vec![0.0; matrix.rows()];
+            unknowns.iter().for_each(|k| r[*k] = (*k as f64 * 0.7).sin());
+            let own: Vec<f64> = unknowns.iter().map(|k| r[*k]).collect();
+            let [mut whole, mut from] = [0; 2].map(|_| vec![f64::NAN; r.len()]);
+            let mut within = vec![f64::NAN; own.len()];
+            factor.apply(&r, &mut whole);
+            factor.apply_from(&reach, &own, &mut from);
+            assert_eq!(whole, from, "{name}");
+            factor.apply_within(&reach, &own, &mut within);
+            let expected: Vec<f64> = unknowns.iter().map(|k| whole[*k]).collect();
+            assert_eq!(expected, within, "{name}");
+        }
+    }
+}
+
+#[test]
+fn neighbours_need_a_part_of_the_blocks() {
+    let (_, plane) = Plane::gallery().swap_remove(0);
+    let matrix = plane.matrix(2);
+    let factor = factored(&matrix, &nested_dissection(&plane.positions, &plane.graph()), 2);
+    let corner: Vec<usize> = (0..900).filter(|k| k % 30 < 3 && k / 30 < 3).collect();
+    let reach = factor.reach(corner);
+    let blocks: Vec<usize> = reach.parts.iter().map(|part| part.blocks.len()).collect();
+    // A corner is in one half.
+    assert!(blocks.contains(&0), "{blocks:?}");
+    let all: usize = factor.parts.iter().map(Part::blocks).sum();
+    assert!(blocks.iter().sum::<usize>() * 4 < all, "{blocks:?} of {all}");
+}

@@ -5,6 +5,7 @@ use super::super::{RunError, Sink, SolvedState, Timing};
 use super::ending::Ending;
 use super::islands::Islands;
 use super::ledger::Ledger;
+use super::lost::Parts;
 use super::problem::{BreakingBody, Facts};
 use super::unit::{Outcome, Unit};
 use super::{BreakRestart, Event, FreeLoad};
@@ -40,6 +41,15 @@ pub(super) struct Breaking<'a, const D: usize, P> {
     pub(super) outcome: Outcome,
     pub(super) timing: Timing,
     pub(super) converged: bool,
+}
+
+/// What went with bonds.
+struct Removed<const D: usize> {
+    gone: Parts<D>,
+    /// Whether anything came off.
+    came_off: bool,
+    /// What strains that need no stress did to all that the bonds leave.
+    left: Option<FreeLoad>,
 }
 
 impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
@@ -118,9 +128,10 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         }
     }
 
-    /// Removes bonds, and takes out what comes off with them: it bears no loads any more. Whether there is such, and what strains that
-    /// need no stress did to all that the bonds leave.
-    pub(super) fn remove(&mut self, bonds: &[u64]) -> (bool, Option<FreeLoad>) {
+    /// Removes bonds, and takes out what comes off with them: it bears no loads any more.
+    fn remove(&mut self, bonds: &[u64]) -> Removed<D> {
+        let gone: Parts<D> = self.body.model().part(bonds).into();
+        self.unit.lost.push(&gone);
         self.system.change_model(self.body.model_mut(), |model| model.break_bonds(bonds));
         let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
         let u: Vec<f64> = self.unit.u.iter().map(|u| load_factor * u).collect();
@@ -136,7 +147,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         }
         let free = if found { self.body.free_load() } else { left.clone() };
         self.unit.set_free(free);
-        (found, left)
+        Removed { gone, came_off: found, left }
     }
 
     /// Breaks bonds at the load factor of the last equilibrium, and finds the next one at the unit load.
@@ -144,11 +155,10 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         if bonds.is_empty() {
             return Ok(());
         }
-        let gone = self.body.model().part(bonds);
         let (before, ledger, energy) = (self.unit.u.clone(), self.ledger, self.unit.energy);
         let whole = self.unit.free.clone();
         self.broken.extend(bonds);
-        let (came_off, left) = self.remove(bonds);
+        let Removed { gone, came_off, left } = self.remove(bonds);
         if came_off {
             let mut forces = vec![0.0; self.system.size()];
             self.system.force(&before, &mut forces);

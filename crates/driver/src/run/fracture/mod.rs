@@ -8,6 +8,7 @@ mod forecast;
 mod free_load;
 mod islands;
 mod ledger;
+mod lost;
 mod problem;
 mod report;
 mod steps;

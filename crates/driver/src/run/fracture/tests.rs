@@ -1,6 +1,7 @@
 //! Points and blocks that come off a plate, and the equilibria of what is left.
 
 use super::islands::Islands;
+use super::lost::Lost;
 use super::unit::{Outcome, Unit};
 use crate::case::from_text;
 use crate::input::Folder;
@@ -11,16 +12,21 @@ use crate::scene::Scene;
 use crate::scene::body::BodyScene;
 use peristat_assembly::model::plane::BreakingModel;
 use peristat_assembly::system::System;
+use peristat_solve::PcgStatus;
 use serde_json::json;
 use std::path::Path;
 
 /// A plate of 28 × 16 points with fibres at 45 degrees, pulled by its ends.
 fn scene() -> BodyScene {
+    scene_at(2.5)
+}
+
+fn scene_at(spacing: f64) -> BodyScene {
     let case = json!({
         "title": "plate", "units": "mm-N-MPa",
         "model": { "beam_bond_orthotropic": { "youngs_modulus_1": 105000, "youngs_modulus_2": 8400,
             "poisson_ratio_12": 0.32, "shear_modulus_12": 4000, "thickness": 0.6, "fibre_angle": 45, "edges": "none" } },
-        "body": { "rectangle": { "size": [70, 40], "spacing": 2.5 } },
+        "body": { "rectangle": { "size": [70, 40], "spacing": spacing } },
         "horizon_ratio": 3.015, "solver": "sparse",
         "regions": { "left grip": { "box": { "from": [0, 0], "to": [7.5, 40] } },
             "right grip": { "box": { "from": [62.5, 0], "to": [70, 40] } } },
@@ -94,4 +100,82 @@ fn a_point_and_a_block_come_off_and_the_old_inverse_finds_the_rest() {
         off.into_iter()
             .all(|(cell, c)| unit.u[c * n + lattice.number([cell[0], cell[1], 0]).unwrap()] == 0.0)
     );
+}
+
+/// Displacements of the same plate of 2800 points, which is factored by halves, when it loses the bonds across a part of its middle, bond row by bond row, and iterations of all equilibria;
+/// with what it has lost told to the factor, or with a new factor each time.
+fn torn(tells: bool) -> (Vec<f64>, Vec<usize>, usize) {
+    let scene = scene_at(1.0);
+    let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
+    let mut plate = BodyProblem::new(&scene, body.breaking().expect("bonds that break"));
+    let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).expect("a system");
+    let mut timing = Timing::default();
+    let loads = vec![0.0; system.size()];
+    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
+    unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
+    let mut iterations = Vec::new();
+    for top in 1..6 {
+        let crosses = |&bond: &u64| {
+            let [a, b] = plate.model.ends(bond).map(|p| plate.model.place(p));
+            let within = |y: f64| y > 20.0 + f64::from(top - 1) && y < 20.0 + f64::from(top);
+            (a[0] < 35.1) != (b[0] < 35.1) && within(0.5 * (a[1] + b[1]))
+        };
+        let bonds: Vec<u64> = (0..plate.model.bond_numbers()).filter(crosses).collect();
+        assert!(bonds.len() > 3, "{bonds:?}");
+        unit.lost.push(&plate.model.part(&bonds).into());
+        system.change_model(&mut *plate.model, |model| model.break_bonds(&bonds));
+        if !tells {
+            unit.renew(&plate, &system, &mut timing).expect("a factor");
+        }
+        let (outcome, renewed) = unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
+        assert_eq!((outcome, renewed), (Outcome::Found, false));
+        iterations.push(unit.iterations);
+    }
+    (unit.u, iterations, unit.counters.factorisations)
+}
+
+#[test]
+fn equilibria_without_what_was_lost_are_those_of_a_new_factor() {
+    let [(found, iterations, factors), (expected, anew, factors_anew)] = [true, false].map(torn);
+    assert_eq!((factors, factors_anew), (1, 6));
+    // A new factor takes one step, that of the intact plate more and more.
+    assert_eq!((iterations, anew), (vec![9, 11, 11, 12, 12], vec![1; 5]));
+    let largest = expected.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
+    let difference = found.iter().zip(&expected).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    // Measured: 1.9e-12.
+    assert!(difference <= 1e-10 * largest, "{difference:e} of {largest}");
+}
+
+#[test]
+fn what_comes_off_is_not_told_to_the_factor_and_neither_are_loads_elsewhere() {
+    let scene = scene_at(1.0);
+    let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
+    let mut plate = BodyProblem::new(&scene, body.breaking().expect("bonds that break"));
+    let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).expect("a system");
+    let mut timing = Timing::default();
+    let loads = vec![0.0; system.size()];
+    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
+    unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
+    assert!(!unit.lost.suits(&system), "nothing is lost");
+
+    let mut residual = vec![0.0; system.size()];
+    let inverse = |unit: &mut Unit<3>, residual: &[f64], lost: &mut Lost<3>, system: &System<3>| {
+        let factor = unit.inverse.dissected().expect("a factor by halves");
+        let mut u = vec![0.0; residual.len()];
+        lost.correct(system, factor, (residual, &mut u), 1e-3, 20).map(|report| report.status)
+    };
+    let mut lost = Lost::new(&system);
+    let (lattice, _) = plate.model.lattice().expect("a lattice");
+    let point = lattice.number([30, 20, 0]).expect("a point");
+    let bond = (0..plate.model.bond_numbers()).find(|bond| plate.model.ends(*bond).contains(&point));
+    lost.push(&plate.model.part(&[bond.expect("a bond")]).into());
+    assert!(lost.suits(&system));
+    residual[point] = 1.0;
+    assert_eq!(inverse(&mut unit, &residual, &mut lost, &system), Some(PcgStatus::Converged));
+    residual[point + 30] = 1.0;
+    assert_eq!(inverse(&mut unit, &residual, &mut lost, &system), None);
+
+    let mut islands = Islands::new::<3>(&*plate.model);
+    assert!(cut_out(&mut plate, (&mut system, &mut islands), &unit, &[[30, 20]]));
+    assert!(!lost.suits(&system), "a point came off");
 }
