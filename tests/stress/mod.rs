@@ -11,6 +11,7 @@ mod beams;
 mod bending;
 mod bonds;
 mod breaking;
+mod broken_solids;
 mod fields;
 mod frames;
 mod held;
@@ -49,7 +50,7 @@ fn extremes() -> Vec<Row> {
 
 /// Rows that ask of everything a case can say whether it is done, on small bodies.
 fn demands() -> Vec<Row> {
-    [loads::rows(), held::rows(), breaking::rows(), fields::rows()].concat()
+    [loads::rows(), held::rows(), breaking::rows(), broken_solids::rows(), fields::rows()].concat()
 }
 
 /// Solves rows, some at a time.
