@@ -1,7 +1,10 @@
 //! Values at any position as sums over points.
 
-use super::listed;
+use super::{fit, listed};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, in_space};
+
+/// How far points are in each direction that are fitted, spacings.
+const AROUND: f64 = 2.0;
 
 /// Points and their shares; the shares sum to one.
 pub type Weights = Vec<(u32, f64)>;
@@ -18,7 +21,8 @@ pub(crate) struct Interpolation<'a> {
 
 impl Interpolation<'_> {
     /// Weights at a position in the body: linear along each axis between the four points of a lattice around it, eight of a solid,
-    /// or next to it near an edge; linear in a triangle or a tetrahedron of listed points; else those of the nearest point. No crack runs in between.
+    /// or next to it near an edge; linear in a triangle or a tetrahedron of listed points. Where cracks leave no such points on the side of
+    /// the position, those of a lattice around it that are on it are fitted, or the nearest of them is taken. `nearest` is that of all.
     pub(crate) fn at(&self, at: [f64; 3], nearest: u32) -> Weights {
         let position = [at[0], at[1]];
         let found = match self.body {
@@ -26,7 +30,27 @@ impl Interpolation<'_> {
             PointBody::Lattice(lattice) => self.bilinear(lattice, position),
             PointBody::Cloud(cloud) => listed::weights(cloud, self.body, at, &|point| self.sees(at, point)),
         };
-        found.unwrap_or_else(|| vec![(nearest, 1.0)])
+        found.or_else(|| self.beside_crack(at)).unwrap_or_else(|| vec![(nearest, 1.0)])
+    }
+
+    /// Weights of the points of a lattice around a position that it sees; `None` without cracks.
+    fn beside_crack(&self, at: [f64; 3]) -> Option<Weights> {
+        if self.cracks.is_empty() {
+            return None;
+        }
+        let seen = |point: usize| -> Option<(u32, [f64; 3])> {
+            let place = self.body.position(point);
+            let step = [0, 1, 2].map(|k| (place[k] - at[k]) / self.body.spacing());
+            let is_near = step.iter().all(|s| s.abs() <= AROUND);
+            (is_near && self.sees(at, place)).then_some((point as u32, step))
+        };
+        let points: Vec<(u32, [f64; 3])> = (0..self.body.points()).filter_map(seen).collect();
+        let far = |step: &[f64; 3]| step.iter().map(|s| s * s).sum::<f64>();
+        let alone = || {
+            let nearest = points.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
+            nearest.map(|(point, _)| vec![(*point, 1.0)])
+        };
+        fit::linear(&points).or_else(alone)
     }
 
     fn sees(&self, a: [f64; 3], b: [f64; 3]) -> bool {
@@ -209,6 +233,41 @@ mod tests {
             let found: f64 = weights.iter().map(|w| w.1 * field(body.position(w.0 as usize))).sum();
             assert!((found - field(at)).abs() < 1e-12, "{at:?} {found}");
         }
+    }
+
+    /// A field that is linear on both sides of a slanted crack, and jumps.
+    #[test]
+    fn beside_slanted_cracks_values_are_those_of_the_own_side() {
+        let crack = || Crack::new(vec![[1.03, 1.02], [9.03, 8.12]]).expect("a crack");
+        let side = |[x, y]: [f64; 2]| (y - 1.02) * 8.0 - (x - 1.03) * 7.1;
+        let field = |at: [f64; 2]| at[0] - 2.0 * at[1] + if side(at) > 0.0 { 100.0 } else { 0.0 };
+        let body = PointBody::Lattice(SquareLattice::rectangle(0.5, [0.0; 2], [20, 20]));
+        let cracks = [crack()];
+        let interpolation = Interpolation { body: &body, cracks: &cracks, reach: 3 };
+        for k in 0..60 {
+            let along = 2.0 + 0.1 * f64::from(k);
+            for off in [0.02, -0.02, 0.1, -0.1, 0.3, -0.3] {
+                let position = [along, 1.02 + (along - 1.03) * 7.1 / 8.0 + off];
+                let far = |p: &usize| {
+                    body.place(*p).iter().zip(position).map(|(a, b)| (a - b).powi(2)).sum::<f64>()
+                };
+                let nearest = (0..body.points()).min_by(|a, b| far(a).total_cmp(&far(b))).expect("a point");
+                let found = value(&body, &interpolation.at(in_space(position), nearest as u32), field);
+                assert!((found - field(position)).abs() < 1e-11, "{position:?} {off}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn where_too_few_points_are_seen_the_nearest_of_them_is_taken() {
+        // Both cracks leave one row of points between them.
+        let body = PointBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [6, 6]));
+        let crack = |y: f64| Crack::new(vec![[-1.0, y], [7.0, y]]).expect("a crack");
+        let cracks = [crack(2.0), crack(3.0)];
+        let interpolation = Interpolation { body: &body, cracks: &cracks, reach: 3 };
+        let weights = interpolation.at([2.4, 2.05, 0.0], 8);
+        let number = (0..body.points()).find(|p| body.place(*p) == [2.5, 2.5]).expect("a point");
+        assert_eq!(weights, vec![(number as u32, 1.0)]);
     }
 
     #[test]

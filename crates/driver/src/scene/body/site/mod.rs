@@ -8,6 +8,7 @@ pub(crate) mod counts;
 pub(crate) mod cracks;
 mod drawn;
 pub(crate) mod files;
+mod fit;
 pub(crate) mod foreign;
 pub(crate) mod fronts;
 pub(crate) mod given_body;
