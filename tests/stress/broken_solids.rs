@@ -25,7 +25,7 @@ const FACES: [[&str; 2]; 3] = [["left", "right"], ["bottom", "top"], ["back", "f
 const MOTIONS: [&str; 3] = ["ux", "uy", "uz"];
 const REACTIONS: [&str; 3] = ["reaction_x", "reaction_y", "reaction_z"];
 
-/// Stiffness of a spring over modulus and spacing, and what it takes from its force and from the motion, 1e-6 of them at the most.
+/// Stiffness of a spring over modulus and spacing, and what it takes from its force and from the motion, measured 1e-6 of them.
 const SPRING: f64 = 1e-6;
 const SOFT: f64 = 2e-6;
 

@@ -134,7 +134,7 @@ impl DissectedCholesky {
         Ok(())
     }
 
-    /// What solves need whose right-hand sides are zero beside some unknowns.
+    /// What solves need whose right-hand sides are zero beside some unknowns, each given once.
     ///
     /// # Panics
     ///

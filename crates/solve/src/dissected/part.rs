@@ -238,7 +238,7 @@ impl Part {
         let mut is_reached = vec![false; self.blocks()];
         places.iter().for_each(|place| is_reached[block_of(place.own as usize)] = true);
         for s in 0..is_reached.len() {
-            // The first row below a block is in the next one that it changes.
+            // The parent of a block has its first row below; all others are further up from there.
             let next = self.symbolic.supernode(s).pattern().iter().min().map(|row| block_of(*row));
             if let Some(next) = next.filter(|next| is_reached[s] && *next < is_reached.len()) {
                 is_reached[next] = true;

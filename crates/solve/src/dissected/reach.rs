@@ -3,7 +3,7 @@
 use super::part::Part;
 
 /// What a factor eliminates from a right-hand side that is zero beside some unknowns, which is also what a solution of these unknowns
-/// alone takes: the blocks on the ways of the elimination tree from them to its root.
+/// alone takes: the blocks on the paths of the elimination tree from them to its root.
 #[derive(Clone, Debug)]
 pub struct Reach {
     pub(super) parts: [PartReach; 2],

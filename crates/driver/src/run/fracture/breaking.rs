@@ -131,7 +131,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     /// Removes bonds, and takes out what comes off with them: it bears no loads any more.
     fn remove(&mut self, bonds: &[u64]) -> Removed<D> {
         let gone: Parts<D> = self.body.model().part(bonds).into();
-        self.unit.lost.push(&gone);
+        self.unit.lose(&gone);
         self.system.change_model(self.body.model_mut(), |model| model.break_bonds(bonds));
         let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
         let u: Vec<f64> = self.unit.u.iter().map(|u| load_factor * u).collect();

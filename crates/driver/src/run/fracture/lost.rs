@@ -15,14 +15,14 @@ const BESIDE: f64 = 0.5;
 const ENOUGH: f64 = 0.5;
 
 /// What it has lost, and the unknowns that this acted on.
-pub(super) struct Lost<const D: usize> {
+pub(super) struct LostParts<const D: usize> {
     parts: Vec<Parts<D>>,
     /// Constraints when the stiffness was factored; later ones hold what was free.
     constraints: usize,
     reach: Option<Reach>,
 }
 
-impl<const D: usize> Lost<D> {
+impl<const D: usize> LostParts<D> {
     /// Nothing yet of a system that was factored as it is.
     pub(super) fn new(system: &System<D>) -> Self {
         Self { parts: Vec::new(), constraints: system.constraints().rows().len(), reach: None }
@@ -34,13 +34,17 @@ impl<const D: usize> Lost<D> {
         self.reach = None;
     }
 
-    /// Whether the factor of the system can still be told from it by parts that are gone.
+    /// Whether there are such and the system has the constraints that it was factored with. Families share what they lose with all
+    /// others, so that their parts are whole bodies.
     pub(super) fn suits(&self, system: &System<D>) -> bool {
-        !self.parts.is_empty() && system.constraints().rows().len() == self.constraints
+        let mut all = self.parts.iter().flat_map(|parts| parts.iter());
+        !self.parts.is_empty()
+            && all.all(|part| !part.joins_many())
+            && system.constraints().rows().len() == self.constraints
     }
 
     /// Lessens the residual of a system, its dependent unknowns left out, by displacements that are added to `u`, with a factor of the
-    /// stiffness as it was before anything was lost; `None` if the residual is not where parts were lost.
+    /// stiffness as it was before anything was lost; `None` if the residual is small enough, or not where parts were lost.
     pub(super) fn correct(
         &mut self,
         system: &System<D>,
@@ -49,6 +53,9 @@ impl<const D: usize> Lost<D> {
         target: f64,
         max_iterations: usize,
     ) -> Option<PcgReport> {
+        if norm(residual) <= target {
+            return None;
+        }
         let parts = &self.parts;
         let reach = self.reach.get_or_insert_with(|| factor.reach(touched(parts, system)));
         let mut own: Vec<f64> = reach.unknowns().iter().map(|k| residual[*k]).collect();

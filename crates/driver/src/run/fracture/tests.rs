@@ -1,7 +1,7 @@
 //! Points and blocks that come off a plate, and the equilibria of what is left.
 
 use super::islands::Islands;
-use super::lost::Lost;
+use super::lost::LostParts;
 use super::unit::{Outcome, Unit};
 use crate::case::from_text;
 use crate::input::Folder;
@@ -13,7 +13,7 @@ use crate::scene::body::BodyScene;
 use peristat_assembly::model::plane::BreakingModel;
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::Path;
 
 /// A plate of 28 × 16 points with fibres at 45 degrees, pulled by its ends.
@@ -22,17 +22,24 @@ fn scene() -> BodyScene {
 }
 
 fn scene_at(spacing: f64) -> BodyScene {
-    let case = json!({
-        "title": "plate", "units": "mm-N-MPa",
-        "model": { "beam_bond_orthotropic": { "youngs_modulus_1": 105000, "youngs_modulus_2": 8400,
-            "poisson_ratio_12": 0.32, "shear_modulus_12": 4000, "thickness": 0.6, "fibre_angle": 45, "edges": "none" } },
+    let fibres = json!({ "beam_bond_orthotropic": { "youngs_modulus_1": 105000, "youngs_modulus_2": 8400,
+        "poisson_ratio_12": 0.32, "shear_modulus_12": 4000, "thickness": 0.6, "fibre_angle": 45, "edges": "none" } });
+    scene_of(&fibres, spacing, json!({ "phi": 0 }))
+}
+
+fn scene_of(model: &Value, spacing: f64, also_held: Value) -> BodyScene {
+    let mut case = json!({
+        "title": "plate", "units": "mm-N-MPa", "model": model,
         "body": { "rectangle": { "size": [70, 40], "spacing": spacing } },
         "horizon_ratio": 3.015, "solver": "sparse",
         "regions": { "left grip": { "box": { "from": [0, 0], "to": [7.5, 40] } },
             "right grip": { "box": { "from": [62.5, 0], "to": [70, 40] } } },
-        "supports": [ { "at": { "region": "left grip" }, "ux": -2, "uy": 0, "phi": 0 },
-            { "at": { "region": "right grip" }, "ux": 2, "uy": 0, "phi": 0 } ]
+        "supports": [ { "at": { "region": "left grip" }, "ux": -2, "uy": 0 },
+            { "at": { "region": "right grip" }, "ux": 2, "uy": 0 } ]
     });
+    for support in case["supports"].as_array_mut().expect("a list") {
+        support.as_object_mut().expect("keys").extend(also_held.as_object().expect("keys").clone());
+    }
     let source = from_text("case", case.to_string(), &[], &Folder::default())
         .unwrap_or_else(|report| panic!("{report}"));
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
@@ -122,7 +129,7 @@ fn torn(tells: bool) -> (Vec<f64>, Vec<usize>, usize) {
         };
         let bonds: Vec<u64> = (0..plate.model.bond_numbers()).filter(crosses).collect();
         assert!(bonds.len() > 3, "{bonds:?}");
-        unit.lost.push(&plate.model.part(&bonds).into());
+        unit.lose(&plate.model.part(&bonds).into());
         system.change_model(&mut *plate.model, |model| model.break_bonds(&bonds));
         if !tells {
             unit.renew(&plate, &system, &mut timing).expect("a factor");
@@ -156,15 +163,15 @@ fn what_comes_off_is_not_told_to_the_factor_and_neither_are_loads_elsewhere() {
     let loads = vec![0.0; system.size()];
     let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
     unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
-    assert!(!unit.lost.suits(&system), "nothing is lost");
+    assert!(!unit.lost_parts.suits(&system), "nothing is lost");
 
     let mut residual = vec![0.0; system.size()];
-    let inverse = |unit: &mut Unit<3>, residual: &[f64], lost: &mut Lost<3>, system: &System<3>| {
+    let inverse = |unit: &mut Unit<3>, residual: &[f64], lost: &mut LostParts<3>, system: &System<3>| {
         let factor = unit.inverse.dissected().expect("a factor by halves");
         let mut u = vec![0.0; residual.len()];
         lost.correct(system, factor, (residual, &mut u), 1e-3, 20).map(|report| report.status)
     };
-    let mut lost = Lost::new(&system);
+    let mut lost = LostParts::new(&system);
     let (lattice, _) = plate.model.lattice().expect("a lattice");
     let point = lattice.number([30, 20, 0]).expect("a point");
     let bond = (0..plate.model.bond_numbers()).find(|bond| plate.model.ends(*bond).contains(&point));
@@ -178,4 +185,27 @@ fn what_comes_off_is_not_told_to_the_factor_and_neither_are_loads_elsewhere() {
     let mut islands = Islands::new::<3>(&*plate.model);
     assert!(cut_out(&mut plate, (&mut system, &mut islands), &unit, &[[30, 20]]));
     assert!(!lost.suits(&system), "a point came off");
+}
+
+/// What they lose, they share with all others.
+#[test]
+fn families_are_not_told_to_the_factor() {
+    let model =
+        json!({ "state_plane": { "youngs_modulus": 1000, "poisson_ratio": 0.3, "state": "plane_stress" } });
+    let scene = scene_of(&model, 1.0, json!({}));
+    let AnyBody::Two(body) = &scene.model else { panic!("families") };
+    let mut plate = BodyProblem::new(&scene, body.breaking().expect("bonds that break"));
+    let (mut system, _) = prepare::<2>(&plate, &RunOptions::default()).expect("a system");
+    let mut timing = Timing::default();
+    let loads = vec![0.0; system.size()];
+    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
+    unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
+    let place = |bond: &u64| plate.model.ends(*bond).map(|p| plate.model.place(p));
+    let is_inside =
+        |bond: &u64| place(bond).iter().all(|[x, y]| (x - 35.0).abs() < 2.0 && (y - 20.0).abs() < 2.0);
+    let bond = (0..plate.model.bond_numbers()).find(is_inside).expect("a bond");
+    unit.lose(&plate.model.part(&[bond]).into());
+    assert!(!unit.lost_parts.suits(&system));
+    system.change_model(&mut *plate.model, |model| model.break_bonds(&[bond]));
+    assert_eq!(unit.solve(&plate, &system, &mut timing).expect("an equilibrium"), (Outcome::Found, false));
 }

@@ -7,7 +7,7 @@ use super::super::solve_failure::SolveFailure;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy, norm};
 use super::super::{Counters, Problem, Timing};
 use super::ledger::UnitEnergy;
-use super::lost::Lost;
+use super::lost::{LostParts, Parts};
 use super::{BreakRestart, FreeLoad};
 use peristat_assembly::system::System;
 use peristat_solve::{PcgReport, PcgStatus};
@@ -32,7 +32,7 @@ const ROUGH: f64 = 1e-6;
 pub(super) struct Unit<const D: usize> {
     pub(super) inverse: KeptInverse,
     /// What the body has lost since this was made.
-    pub(super) lost: Lost<D>,
+    pub(super) lost_parts: LostParts<D>,
     work: Workspace<D>,
     pub(super) counters: Counters,
     /// Loads at a load factor of one.
@@ -99,7 +99,7 @@ impl<const D: usize> Unit<D> {
         let mut counters = Counters::default();
         Ok(Self {
             inverse: KeptInverse::new(problem, system, timing, &mut counters)?,
-            lost: Lost::new(system),
+            lost_parts: LostParts::new(system),
             work: Workspace::new(problem, system),
             counters,
             free,
@@ -142,9 +142,8 @@ impl<const D: usize> Unit<D> {
         let corrected = self.correct(system, &mut u, self.target);
         self.u = u;
         self.iterations += corrected.map_or(0, |report| report.iterations);
-        let spent = corrected.is_some_and(|report| report.status == PcgStatus::IterationLimit);
-        let patience = if spent { 0 } else { self.inverse.patience() };
-        let mut reached = follow(self, patience);
+        let is_spent = corrected.is_some_and(|report| report.status != PcgStatus::Converged);
+        let mut reached = !is_spent && follow(self, self.inverse.patience());
         if !reached {
             self.renew(problem, system, timing)?;
             renewed = true;
@@ -178,10 +177,10 @@ impl<const D: usize> Unit<D> {
 
     /// Improves displacements where bonds went until their residual is at most `target`, if the inverse is a factor that this is possible with.
     fn correct(&mut self, system: &System<D>, u: &mut [f64], target: f64) -> Option<PcgReport> {
-        let factor = self.inverse.dissected().filter(|_| self.lost.suits(system))?;
+        let factor = self.inverse.dissected().filter(|_| self.lost_parts.suits(system))?;
         self.work.refresh_residual(system, &self.all, u);
         system.constraints().restrict(&mut self.work.residual);
-        self.lost.correct(system, factor, (&self.work.residual, u), target, REDUCED)
+        self.lost_parts.correct(system, factor, (&self.work.residual, u), target, REDUCED)
     }
 
     /// Why there is no equilibrium, after the last one: the loads act on what moves without strain, by what the inverse says of it or as
@@ -196,6 +195,13 @@ impl<const D: usize> Unit<D> {
         }
     }
 
+    /// Takes parts for gone from the system whose inverse there is.
+    pub(super) fn lose(&mut self, parts: &Parts<D>) {
+        if self.inverse.dissected().is_some() {
+            self.lost_parts.push(parts);
+        }
+    }
+
     /// Makes the inverse that of the system as it is now.
     ///
     /// # Errors
@@ -207,7 +213,7 @@ impl<const D: usize> Unit<D> {
         timing: &mut Timing,
     ) -> Result<(), SolveFailure> {
         self.inverse.renew(problem, system, timing, &mut self.counters)?;
-        self.lost = Lost::new(system);
+        self.lost_parts = LostParts::new(system);
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-/// Least pivot over the largest of what a fit solves: with less, the points are on one line or plane.
+/// Least root of a pivot over the largest of what a fit solves: with less, the points are on one line or plane.
 const SPREAD: f64 = 1e-3;
 
 /// Weights of points, by their numbers and steps from the position in spacings, that give linear fields exactly: a fit to all of

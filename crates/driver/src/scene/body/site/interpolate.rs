@@ -22,7 +22,7 @@ pub(crate) struct Interpolation<'a> {
 impl Interpolation<'_> {
     /// Weights at a position in the body: linear along each axis between the four points of a lattice around it, eight of a solid,
     /// or next to it near an edge; linear in a triangle or a tetrahedron of listed points. Where cracks leave no such points on the side of
-    /// the position, those of a lattice around it that are on it are fitted, or the nearest of them is taken. `nearest` is that of all.
+    /// the position, those around it that are on it are fitted, or the nearest of them is taken. `nearest` is that of all.
     pub(crate) fn at(&self, at: [f64; 3], nearest: u32) -> Weights {
         let position = [at[0], at[1]];
         let found = match self.body {
@@ -33,24 +33,28 @@ impl Interpolation<'_> {
         found.or_else(|| self.beside_crack(at)).unwrap_or_else(|| vec![(nearest, 1.0)])
     }
 
-    /// Weights of the points of a lattice around a position that it sees; `None` without cracks.
+    /// Weights of the points around a position that it sees; `None` where it sees all.
     fn beside_crack(&self, at: [f64; 3]) -> Option<Weights> {
         if self.cracks.is_empty() {
             return None;
         }
-        let seen = |point: usize| -> Option<(u32, [f64; 3])> {
+        let near = |point: usize| -> Option<(u32, [f64; 3])> {
             let place = self.body.position(point);
             let step = [0, 1, 2].map(|k| (place[k] - at[k]) / self.body.spacing());
-            let is_near = step.iter().all(|s| s.abs() <= AROUND);
-            (is_near && self.sees(at, place)).then_some((point as u32, step))
+            step.iter().all(|s| s.abs() <= AROUND).then_some((point as u32, step))
         };
-        let points: Vec<(u32, [f64; 3])> = (0..self.body.points()).filter_map(seen).collect();
+        let all: Vec<(u32, [f64; 3])> = (0..self.body.points()).filter_map(near).collect();
+        let is_seen = |near: &&(u32, [f64; 3])| self.sees(at, self.body.position(near.0 as usize));
+        let seen: Vec<(u32, [f64; 3])> = all.iter().filter(is_seen).copied().collect();
+        if seen.len() == all.len() {
+            return None;
+        }
         let far = |step: &[f64; 3]| step.iter().map(|s| s * s).sum::<f64>();
         let alone = || {
-            let nearest = points.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
+            let nearest = seen.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
             nearest.map(|(point, _)| vec![(*point, 1.0)])
         };
-        fit::linear(&points).or_else(alone)
+        fit::linear(&seen).or_else(alone)
     }
 
     fn sees(&self, a: [f64; 3], b: [f64; 3]) -> bool {
