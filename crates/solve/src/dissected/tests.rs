@@ -143,7 +143,7 @@ fn a_few_unknowns_are_solved_for_as_all_are() {
         let dissection = nested_dissection(&plane.positions, &PointGraph::from_matrix(&matrix, 2));
         let mut factor = factored(&matrix, &dissection, 2);
         // Neighbours in a part of the plane, and every unknown of the separator among others.
-        for keep in [|k: usize| (100..110).contains(&k), |k: usize| k % 7 == 0, |_: usize| false] {
+        for keep in [|k: usize| (100..110).contains(&k), |k: usize| k.is_multiple_of(7), |_: usize| false] {
             let unknowns: Vec<usize> = (0..matrix.rows()).filter(|k| keep(*k)).collect();
             let reach = factor.reach(unknowns.clone());
             let mut r = vec![0.0; matrix.rows()];

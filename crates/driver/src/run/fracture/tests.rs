@@ -48,6 +48,20 @@ fn scene_of(model: &Value, spacing: f64, also_held: Value) -> BodyScene {
 
 type Plate<'a> = BodyProblem<'a, dyn BreakingModel<3>>;
 
+/// A body whose bonds break, its system, and the first equilibrium without loads.
+fn begun<const D: usize>(
+    scene: &BodyScene,
+    model: Box<dyn BreakingModel<D>>,
+) -> (BodyProblem<'_, dyn BreakingModel<D>>, System<D>, Unit<D>) {
+    let plate = BodyProblem::new(scene, model);
+    let (system, _) = prepare::<D>(&plate, &RunOptions::default()).unwrap();
+    let loads = vec![0.0; system.size()];
+    let mut timing = Timing::default();
+    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).unwrap();
+    assert_eq!(unit.solve(&plate, &system, &mut timing).unwrap(), (Outcome::Found, false));
+    (plate, system, unit)
+}
+
 /// Cuts all bonds from some cells to others, and finds what has come off.
 fn cut_out(
     plate: &mut Plate,
@@ -72,12 +86,8 @@ fn cut_out(
 fn a_point_and_a_block_come_off_and_the_old_inverse_finds_the_rest() {
     let scene = scene();
     let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
-    let mut plate = BodyProblem::new(&scene, body.breaking().unwrap());
-    let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).unwrap();
+    let (mut plate, mut system, mut unit) = begun(&scene, body.breaking().unwrap());
     let mut timing = Timing::default();
-    let loads = vec![0.0; system.size()];
-    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).unwrap();
-    assert_eq!(unit.solve(&plate, &system, &mut timing).unwrap(), (Outcome::Found, false));
     let mut islands = Islands::new::<3>(&*plate.model);
 
     assert!(cut_out(&mut plate, (&mut system, &mut islands), &unit, &[[14, 8]]));
@@ -114,12 +124,8 @@ fn a_point_and_a_block_come_off_and_the_old_inverse_finds_the_rest() {
 fn torn(tells: bool) -> (Vec<f64>, Vec<usize>, usize) {
     let scene = scene_at(1.0);
     let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
-    let mut plate = BodyProblem::new(&scene, body.breaking().expect("bonds that break"));
-    let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).expect("a system");
+    let (mut plate, mut system, mut unit) = begun(&scene, body.breaking().unwrap());
     let mut timing = Timing::default();
-    let loads = vec![0.0; system.size()];
-    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
-    unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
     let mut iterations = Vec::new();
     for top in 1..6 {
         let crosses = |&bond: &u64| {
@@ -157,12 +163,7 @@ fn equilibria_without_what_was_lost_are_those_of_a_new_factor() {
 fn what_comes_off_is_not_told_to_the_factor_and_neither_are_loads_elsewhere() {
     let scene = scene_at(1.0);
     let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
-    let mut plate = BodyProblem::new(&scene, body.breaking().expect("bonds that break"));
-    let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).expect("a system");
-    let mut timing = Timing::default();
-    let loads = vec![0.0; system.size()];
-    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
-    unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
+    let (mut plate, mut system, mut unit) = begun(&scene, body.breaking().unwrap());
     assert!(!unit.lost_parts.suits(&system), "nothing is lost");
 
     let mut residual = vec![0.0; system.size()];
@@ -194,12 +195,8 @@ fn families_are_not_told_to_the_factor() {
         json!({ "state_plane": { "youngs_modulus": 1000, "poisson_ratio": 0.3, "state": "plane_stress" } });
     let scene = scene_of(&model, 1.0, json!({}));
     let AnyBody::Two(body) = &scene.model else { panic!("families") };
-    let mut plate = BodyProblem::new(&scene, body.breaking().expect("bonds that break"));
-    let (mut system, _) = prepare::<2>(&plate, &RunOptions::default()).expect("a system");
+    let (mut plate, mut system, mut unit) = begun(&scene, body.breaking().unwrap());
     let mut timing = Timing::default();
-    let loads = vec![0.0; system.size()];
-    let mut unit = Unit::new(&plate, &system, (loads, None), 1e-12, &mut timing).expect("a factor");
-    unit.solve(&plate, &system, &mut timing).expect("an equilibrium");
     let place = |bond: &u64| plate.model.ends(*bond).map(|p| plate.model.place(p));
     let is_inside =
         |bond: &u64| place(bond).iter().all(|[x, y]| (x - 35.0).abs() < 2.0 && (y - 20.0).abs() < 2.0);
