@@ -20,7 +20,7 @@ const ENVELOPE: usize = 64;
 const VECTORS: usize = 8;
 /// Memory of an entry of a sparse matrix of a frame, bytes: its blocks while it is put together; then compressed rows,
 /// their order, and a factor with about as many entries.
-const SPARSE: usize = 64;
+const SPARSE: usize = 70;
 /// Memory of a multigrid solve, bytes per point: the vectors of conjugate gradients, levels with theirs, inverse blocks.
 const CYCLE: usize = 246;
 /// Memory of the factor of the coarsest level of a plate in bending, bytes per point: it has 350 to 530 entries per point.
