@@ -141,9 +141,9 @@ fn the_whole_path_at_45_degrees_is_that_of_another_program() {
 fn a_fine_plate_breaks_with_few_factors_and_few_iterations() {
     let more = json!({ "strategy": "batch", "stop_below": 0.3 });
     let (events, report) = run(&breaking(45.0, 0.5, &more));
-    // Measured: 9.0 iterations and 7 factors at the most, 136 equilibria, 44.80 degrees. Iterations go through a part of the factor.
+    // Measured: 9.0 iterations and no more than 6 factors, 136 equilibria, 44.80 degrees. Iterations go through a part of the factor.
     assert!(report.mean_iterations <= 12.0, "{}", report.mean_iterations);
-    assert!(events.last().unwrap().factorisations <= 7);
+    assert!(events.last().unwrap().factorisations <= 6);
     assert!((fact(&report, "upper_direction") - 45.0).abs() < 3.0);
     assert_eq!(fact(&report, "upper_bonds"), fact(&report, "lower_bonds"));
 }
