@@ -16,8 +16,8 @@ impl LinearOperator for Product<'_> {
     }
 }
 
-/// A plate whose pairs are all there, and one whose pairs across the upper half of its middle are gone.
-fn plates() -> (Plane, [CsMat<f64>; 2]) {
+/// A plate whose pairs are all there, one whose pairs across the upper half of its middle are gone, and a factor of the first.
+fn plates() -> ([CsMat<f64>; 2], DissectedCholesky) {
     let plane = Plane::new(Plane::lattice(24, |_| true), 2.0, |_, _| true);
     let crosses = |[p, q]: [usize; 2]| {
         let [a, b] = [p, q].map(|k| plane.positions[k]);
@@ -26,7 +26,10 @@ fn plates() -> (Plane, [CsMat<f64>; 2]) {
     let mut weights = plane.pairs.iter().map(|pair| if crosses(*pair) { 0.0 } else { 1.0 });
     let cut = plane.weighted(2, || weights.next().unwrap());
     let whole = plane.matrix(2);
-    (plane, [whole, cut])
+    let dissection = nested_dissection(&plane.positions, &PointGraph::from_matrix(&whole, 2));
+    let mut factor = DissectedCholesky::analyse(&whole, &dissection, 2).unwrap();
+    factor.refactor(&whole).unwrap();
+    ([whole, cut], factor)
 }
 
 const OPTIONS: PcgOptions =
@@ -34,10 +37,7 @@ const OPTIONS: PcgOptions =
 
 #[test]
 fn iterates_among_a_few_unknowns_are_those_among_all() {
-    let (plane, [whole, cut]) = plates();
-    let dissection = nested_dissection(&plane.positions, &PointGraph::from_matrix(&whole, 2));
-    let mut factor = DissectedCholesky::analyse(&whole, &dissection, 2).unwrap();
-    factor.refactor(&whole).unwrap();
+    let ([whole, cut], mut factor) = plates();
     let lost = &whole - &cut;
     let touched: Vec<usize> = {
         let mut is_touched = vec![false; whole.rows()];
@@ -76,10 +76,7 @@ fn iterates_among_a_few_unknowns_are_those_among_all() {
 
 #[test]
 fn nothing_is_solved_by_nothing_and_what_is_not_definite_is_told() {
-    let (plane, [whole, _]) = plates();
-    let dissection = nested_dissection(&plane.positions, &PointGraph::from_matrix(&whole, 2));
-    let mut factor = DissectedCholesky::analyse(&whole, &dissection, 2).unwrap();
-    factor.refactor(&whole).unwrap();
+    let ([whole, _], mut factor) = plates();
     let reach = factor.reach(vec![3, 40]);
     let mut x = vec![f64::NAN; whole.rows()];
     let mut none = |_: &[f64], image: &mut [f64]| image.fill(0.0);
@@ -96,10 +93,7 @@ fn nothing_is_solved_by_nothing_and_what_is_not_definite_is_told() {
 /// The factor is a preconditioner of all unknowns, too.
 #[test]
 fn without_loss_one_step_is_enough() {
-    let (plane, [whole, _]) = plates();
-    let dissection = nested_dissection(&plane.positions, &PointGraph::from_matrix(&whole, 2));
-    let mut factor = DissectedCholesky::analyse(&whole, &dissection, 2).unwrap();
-    factor.refactor(&whole).unwrap();
+    let ([whole, _], mut factor) = plates();
     let mut b = vec![0.0; whole.rows()];
     b[100] = 1.0;
     let mut expected = vec![0.0; b.len()];

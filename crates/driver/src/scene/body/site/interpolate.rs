@@ -257,7 +257,8 @@ mod tests {
                 };
                 let nearest = (0..body.points()).min_by(|a, b| far(a).total_cmp(&far(b))).expect("a point");
                 let found = value(&body, &interpolation.at(in_space(position), nearest as u32), field);
-                assert!((found - field(position)).abs() < 1e-11, "{position:?} {off}: {found}");
+                // Measured: 2e-13, of values around 100.
+                assert!((found - field(position)).abs() < 2e-12, "{position:?} {off}: {found}");
             }
         }
     }
