@@ -63,6 +63,7 @@ mod member_materials;
 mod mirrored_loads;
 mod mixed_families;
 mod mixed_family_solids;
+mod mixed_solid_fracture;
 mod mixed_solids;
 mod offsets;
 mod one_way;

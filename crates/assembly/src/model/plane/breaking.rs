@@ -3,10 +3,11 @@
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
 use super::critical::CriticalStretch;
-use super::edges::{By, Completion, Path, overlay};
+use super::critical_along::CriticalAlong;
+use super::edges::{By, Completion, overlay};
 use super::geometry;
 use super::near::at;
-use crate::body::{Cell, SquareLattice, plus};
+use crate::body::SquareLattice;
 use crate::stiffness::{Bond, Bonds, Families, Family, GridBonds, Term};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -85,16 +86,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 self.kind.bond.stretch_per_measure(&bond) / critical.by_offset()[k]
             })
             .collect();
-        let path = |k: &usize| Path::of(self.neighbourhood.offsets[*k]).pieces().collect();
-        let paths: Vec<Vec<(Cell, f64)>> =
-            if critical.has_materials() { offsets.iter().map(path).collect() } else { Vec::new() };
+        let cells = offsets.iter().map(|&k| self.neighbourhood.offsets[k]);
+        let body = (&*self.lattice, &self.mirrors);
+        let along = CriticalAlong::new(critical, (body, self.mixture().map(|mixture| &**mixture)), cells);
         let free = critical.free().map(|t| self.free_bonds(t));
         self.bonds.for_each_measured(u, |index, ends, s| {
             let (lower, own) = (ends[0], free.as_ref().map_or(0.0, |free| free.measures(index, ends)[0]));
             let ratio = ratios[index] * (s[0] - own);
             if ratio > 0.0 {
-                let further = paths.get(index).map_or(1.0, |path| self.further(critical, lower, path));
-                visit((offsets[index] * points + lower) as u64, ratio / further);
+                visit((offsets[index] * points + lower) as u64, ratio / along.ratio(index, lower));
             }
         });
         if let Some(border) = self.border.bonds() {
@@ -106,17 +106,6 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 visit(bond, ratio / further);
             });
         }
-    }
-
-    /// How many times further a bond from a point along a path stretches until it breaks than one of the base material.
-    fn further(&self, critical: &CriticalStretch, lower: usize, path: &[(Cell, f64)]) -> f64 {
-        let first = self.lattice.cell(lower);
-        let passed = || path.iter().map(|&(step, part)| (plus(first, step), part));
-        let modulus = || {
-            let body = (&*self.lattice, &self.mirrors);
-            self.mixture().map_or(1.0, |mixture| mixture.through(body, passed()).weights[0])
-        };
-        critical.ratio(passed().filter_map(|(cell, _)| self.lattice.number(cell)), modulus)
     }
 
     /// Indices of the offsets among those that have bonds.

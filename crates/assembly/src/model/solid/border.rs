@@ -22,8 +22,8 @@ pub(super) struct Border {
     pub(super) bonds: Arc<NodedBonds<3, 1>>,
     /// Elongation of the bonds of every kind per unit of every uniform strain.
     pub(super) uniform: Vec<Mat<TENSOR, 1>>,
-    /// Per kind of bonds: index of the offset of the whole bond that they are parts of, and their length over that of it.
-    pub(super) wholes: Vec<(usize, f64)>,
+    /// Per kind of bonds.
+    pub(super) wholes: Vec<Whole>,
     /// Bonds between points that give way to it.
     pub(super) gaps: Vec<Exception>,
     /// Rows of the dilatation of points that bonds on the border bring, by steps from them, per m.
@@ -32,6 +32,17 @@ pub(super) struct Border {
     pub(super) lacks: Vec<(usize, usize, [f64; 1])>,
     /// Number of cells whose bonds are left out, because the body is too thin there to tell how they move.
     pub(super) lost: usize,
+}
+
+/// The whole bond that one which ends on the border is a part of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Whole {
+    /// Index of its offset.
+    pub(super) offset: usize,
+    /// Length of the part over its own.
+    pub(super) share: f64,
+    /// Modulus of the part over that of the base material.
+    pub(super) factor: f64,
 }
 
 /// What a point has of a bond that ends on the border.
@@ -60,11 +71,11 @@ struct Builder<'a> {
     bond: SolidBond,
     bonds: NodedBondsBuilder<3, 1>,
     uniform: Vec<Mat<TENSOR, 1>>,
-    wholes: Vec<(usize, f64)>,
+    wholes: Vec<Whole>,
     rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
     corners: HashMap<Asked, Option<u32>>,
-    /// By offset, run and modulus.
-    kinds: HashMap<(usize, [usize; 2], u64), usize>,
+    /// By offset, run, part of the energy and modulus.
+    kinds: HashMap<(usize, [usize; 2], [u64; 2]), usize>,
     /// What a bond hangs on.
     hung: Vec<u32>,
 }
@@ -104,11 +115,8 @@ impl Border {
                         let part = run.share() * weight;
                         lacks.extend(own.map(|(point, [lack])| (point, offset, [part * lack])));
                     }
-                    builder.add(
-                        offset,
-                        run,
-                        part * run.share() * through.map_or(1.0, |through| through.weights[0]),
-                    )
+                    let factor = through.map_or(1.0, |through| through.weights[0]);
+                    builder.add(offset, run, (part * run.share(), factor))
                 }
                 Some(dilatation) => {
                     let whole = |own: u32| match (mixture, through) {
@@ -130,9 +138,9 @@ impl Border {
 }
 
 impl Builder<'_> {
-    /// Adds a run that has a part of the energy that its whole bond would have with the same stretch; none where the body is too
-    /// thin to tell how it moves.
-    fn add(&mut self, offset: usize, run: &Run, part: f64) -> Option<()> {
+    /// Adds a run that has a part of the energy that its whole bond would have with the same stretch and modulus, and its modulus over
+    /// that of the base material; none where the body is too thin to tell how it moves.
+    fn add(&mut self, offset: usize, run: &Run, (part, factor): (f64, f64)) -> Option<()> {
         let ends = [0, 1].map(|side| run.end(side, 3));
         self.hung.clear();
         ends.iter().try_for_each(|end| self.hang(end))?;
@@ -141,20 +149,23 @@ impl Builder<'_> {
         let short = BondGeometry { xi: whole.xi.map(|x| run.share() * x) };
         let (bond, weight) = (self.bond, self.law.neighbourhood.weights[offset][0]);
         let (bonds, uniform, wholes) = (&mut self.bonds, &mut self.uniform, &mut self.wholes);
-        let kind = *self.kinds.entry((offset, run.pieces(), part.to_bits())).or_insert_with(|| {
-            let [elongation] = bond.in_uniform_state(&short);
-            uniform.push(elongation.map(|e| [e]));
-            wholes.push((offset, run.share()));
-            let [modulus] = bond.moduli(&short);
-            bonds.add_kind(NodedKind {
-                shares: ends.map(|end| match end {
-                    End::Point(_) => Vec::new(),
-                    End::Border(at, _) => around(at).map(|(_, share)| share).collect(),
-                }),
-                rows: bond.rows(&short).difference,
-                moduli: [part * weight * modulus],
-            })
-        });
+        let kind = *self
+            .kinds
+            .entry((offset, run.pieces(), [part, factor].map(f64::to_bits)))
+            .or_insert_with(|| {
+                let [elongation] = bond.in_uniform_state(&short);
+                uniform.push(elongation.map(|e| [e]));
+                wholes.push(Whole { offset, share: run.share(), factor });
+                let [modulus] = bond.moduli(&short);
+                bonds.add_kind(NodedKind {
+                    shares: ends.map(|end| match end {
+                        End::Point(_) => Vec::new(),
+                        End::Border(at, _) => around(at).map(|(_, share)| share).collect(),
+                    }),
+                    rows: bond.rows(&short).difference,
+                    moduli: [part * factor * weight * modulus],
+                })
+            });
         self.bonds.push(kind, self.hung.iter().copied());
         Some(())
     }
@@ -186,7 +197,7 @@ impl Builder<'_> {
                 let sum = rows.entry(minus(cell, own)).or_insert([0.0; 3]);
                 (0..3).for_each(|c| sum[c] += part * row[c]);
             }
-            self.add(offset, run, 0.5 * modulus * seen)?;
+            self.add(offset, run, (0.5, modulus * seen))?;
             if seen < 1.0 {
                 let [weight] = self.law.neighbourhood.weights[offset];
                 lacks.push((point as usize, offset, [0.5 * modulus * (1.0 - seen) * weight]));

@@ -5,13 +5,14 @@
 //! with it: tetrahedra, and bonds on the border that would move with points on both sides of a crack. A bond is gone from the
 //! dilatations of its points, too; what these lack then makes them softer, and no energy is negative.
 
-use super::super::plane::{CriticalStretch, LatticeBond, at};
+use super::super::plane::{CriticalAlong, CriticalStretch, LatticeBond, at};
 use super::body::SolidBody;
+use super::border::Whole;
 use super::{Solid, SolidMaterial};
 use crate::body::minus;
 use crate::bonds::BondGeometry;
 use crate::model::Breakable;
-use crate::stiffness::{BondPoints, Bonds, FamilyRows, GridFamilies, Term};
+use crate::stiffness::{BondPoints, Bonds, Families, FamilyRows, GridFamilies, Term};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
 
@@ -25,6 +26,8 @@ struct Gone {
     ended: Vec<usize>,
     /// Families of tetrahedra, ascending.
     families: Vec<usize>,
+    /// Pairs of points, the lower one first, whose tetrahedra at interfaces go.
+    parted: HashSet<[u32; 2]>,
 }
 
 impl SolidBody {
@@ -36,6 +39,13 @@ impl SolidBody {
 
     fn upper(&self, (offset, lower): Place) -> Option<usize> {
         self.lattice.number(at(self.lattice.cell(lower), self.law.neighbourhood.offsets[offset], true))
+    }
+
+    /// The points nearest to the ends of a bond that ends on the border.
+    fn on_border_ends(&self, ended: usize) -> [usize; 2] {
+        let known: Option<&BondPoints> = self.on_border.as_deref();
+        let pair = known.and_then(|known| known.foremost.get(ended));
+        pair.map_or([0; 2], |pair| pair.map(|point| point as usize))
     }
 
     /// Bonds between two points, and the numbers of those that end on the border.
@@ -56,7 +66,9 @@ impl SolidBody {
             let spanning = pairs.iter().flat_map(|pair| points.moved_by_both(*pair));
             all.extend(spanning.filter(|bond| !border.bonds.is_broken(*bond)));
         }
-        Gone { between, ended: all.into_iter().collect(), families: self.overlay.families.spanning(&pairs) }
+        let families = self.overlay.families.spanning(&pairs);
+        let parted = if self.interface.is_some() { pairs } else { HashSet::new() };
+        Gone { between, ended: all.into_iter().collect(), families, parted }
     }
 
     /// Pairs of points next to each other between which one of some bonds was.
@@ -95,7 +107,7 @@ impl SolidBody {
         }
         if let Some(border) = &self.border {
             border.bonds.for_each_of(&gone.ended, |kind, own, bond| {
-                let (Some(own), (offset, share)) = (own, border.wholes[kind]) else { return };
+                let (Some(own), Whole { offset, share, .. }) = (own, border.wholes[kind]) else { return };
                 let step = self.law.neighbourhood.offsets[offset];
                 // Shares in the relative displacement have the sign of the side that the point is on, and so has the bond.
                 for (end, sign) in bond.ends.iter().zip([-1.0, 1.0]) {
@@ -118,6 +130,13 @@ impl SolidBody {
         )
     }
 
+    /// Whether they can, of the materials that there are.
+    pub(super) fn breaks(&self) -> bool {
+        // What tetrahedra beside interfaces have of changes of volume would be left.
+        let is_mixed = self.families.is_some() && self.interface.is_some();
+        self.unbreakable().is_none() && !is_mixed
+    }
+
     /// Finds what breaking bonds ask for again and again.
     pub(super) fn prepare_to_break(&mut self) {
         self.on_border = self.border.as_ref().map(|border| Arc::new(border.bonds.points()));
@@ -126,7 +145,10 @@ impl SolidBody {
     fn break_bonds(&mut self, bonds: &[u64]) {
         let gone = self.gone(bonds);
         let (rows, grid) = (self.rows_without(&gone), self.in_grid(&gone.between));
-        let Gone { between, ended, families } = gone;
+        let Gone { between, ended, families, parted } = gone;
+        if let Some(interface) = &mut self.interface {
+            interface.part(&parted);
+        }
         if let Some(of) = self.families.as_mut().filter(|_| !rows.is_empty()) {
             Arc::make_mut(of).set_rows(&rows);
         }
@@ -145,7 +167,7 @@ impl SolidBody {
     fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<3>>> {
         let gone = self.gone(bonds);
         let rows = self.rows_without(&gone);
-        let Gone { between, ended, families } = gone;
+        let Gone { between, ended, families, parted } = gone;
         let listed = self.in_grid(&between).into_iter().filter_map(|(k, lower)| self.bonds.bond(k, lower));
         let completing: Box<dyn Term<3>> = match &self.border {
             Some(border) => Box::new(border.bonds.part(&ended)),
@@ -154,6 +176,9 @@ impl SolidBody {
         };
         let mut part: Vec<Box<dyn Term<3>>> =
             vec![Box::new(Bonds::new(self.lattice.points(), listed)), completing];
+        if let Some(interface) = &self.interface {
+            part.push(Box::new(Families::new(self.lattice.points(), interface.beside(&parted))));
+        }
         if let Some(before) = &self.families {
             let mut after = GridFamilies::clone(before);
             after.set_rows(&rows);
@@ -170,18 +195,29 @@ impl SolidBody {
         };
         let per_elongation: Vec<f64> = (0..offsets.len()).map(of_whole).collect();
         let bonded: Vec<usize> = self.law.neighbourhood.bonded().collect();
+        let body = (&*self.lattice, &self.mirrors);
+        let along = CriticalAlong::new(
+            critical,
+            (body, self.mixture().map(|mixture| &**mixture)),
+            bonded.iter().map(|&k| offsets[k]),
+        );
         self.bonds.for_each_measured(u, |index, [lower, _], [elongation]| {
             let k = bonded[index];
             if elongation > 0.0 {
-                visit((k * points + lower) as u64, per_elongation[k] * elongation);
+                let ratio = per_elongation[k] * elongation / along.ratio(index, lower);
+                visit((k * points + lower) as u64, ratio);
             }
         });
         if let Some(border) = &self.border {
             let whole = self.whole_bonds();
             border.bonds.for_each_measured(u, |bond, kind, [elongation]| {
-                let (offset, share) = border.wholes[kind];
+                let Whole { offset, share, factor } = border.wholes[kind];
                 if elongation > 0.0 {
-                    visit((whole + bond) as u64, per_elongation[offset] * elongation / share.sqrt());
+                    let further = critical.ratio(self.on_border_ends(bond), || factor);
+                    visit(
+                        (whole + bond) as u64,
+                        per_elongation[offset] * elongation / share.sqrt() / further,
+                    );
                 }
             });
         }
@@ -199,9 +235,7 @@ impl<P: SolidMaterial> Breakable<3> for Solid<P> {
     fn ends(&self, bond: u64) -> [usize; 2] {
         let (bond, points) = (bond as usize, self.body.lattice.points());
         if let Some(ended) = bond.checked_sub(self.body.whole_bonds()) {
-            let known: Option<&BondPoints> = self.body.on_border.as_deref();
-            let pair = known.and_then(|known| known.foremost.get(ended));
-            return pair.map_or([0; 2], |pair| pair.map(|point| point as usize));
+            return self.body.on_border_ends(ended);
         }
         let place = (bond / points, bond % points);
         [place.1, self.body.upper(place).unwrap_or(place.1)]

@@ -88,6 +88,20 @@ impl Interface {
         by_points
     }
 
+    /// The tetrahedra that have one of some pairs of points for an edge.
+    pub(super) fn beside(&self, pairs: &HashSet<[u32; 2]>) -> Vec<Family<3, TENSOR, 3>> {
+        self.families.list().iter().filter(|tetrahedron| spans(tetrahedron, pairs)).copied().collect()
+    }
+
+    /// Forgets the tetrahedra that have one of some pairs of points for an edge.
+    pub(super) fn part(&mut self, pairs: &HashSet<[u32; 2]>) {
+        let parted = |of: &&Family<3, TENSOR, 3>| spans(of, pairs);
+        if self.families.list().iter().any(|tetrahedron| spans(tetrahedron, pairs)) {
+            self.stress_count -= self.stress_families().iter().filter(parted).count();
+            Arc::make_mut(&mut self.families).retain(|tetrahedron| !spans(tetrahedron, pairs));
+        }
+    }
+
     /// The tetrahedra that tell stresses.
     pub(super) fn stress_families(&self) -> &[Family<3, TENSOR, 3>] {
         &self.families.list()[..self.stress_count]
@@ -97,6 +111,13 @@ impl Interface {
     pub(super) fn add_work(&self, t: &[f64], force: &mut [f64]) {
         self.families.list().iter().for_each(|family| family.add_strain_work(TENSOR, t, force));
     }
+}
+
+/// Whether an edge of a tetrahedron is one of some pairs, the lower point first.
+fn spans(tetrahedron: &Family<3, TENSOR, 3>, pairs: &HashSet<[u32; 2]>) -> bool {
+    let ([a, b, c], p) = (tetrahedron.others, tetrahedron.point);
+    let edges = [[p, a], [p, b], [p, c], [a, b], [a, c], [b, c]];
+    edges.into_iter().any(|[i, j]| pairs.contains(&[i.min(j), i.max(j)]))
 }
 
 /// Those of some tetrahedra that have no points whose strains are others, if there are such.

@@ -276,7 +276,6 @@ impl<P: SolidMaterial> Solvable<3> for Solid<P> {
     }
 
     fn breaking(&self) -> Option<Box<dyn BreakingModel<3>>> {
-        (self.body.unbreakable().is_none() && self.body.interface.is_none())
-            .then(|| Box::new(self.clone()) as Box<dyn BreakingModel<3>>)
+        self.body.breaks().then(|| Box::new(self.clone()) as Box<dyn BreakingModel<3>>)
     }
 }

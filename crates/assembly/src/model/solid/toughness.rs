@@ -5,6 +5,7 @@
 //! stretch. This is exact for the lattice; formulas of the continuum differ from it by up to 10 % at two spacings per horizon.
 
 use super::super::bond_plane::Influence;
+use super::super::plane::toughness::CrossingBonds;
 use super::{SolidError, SolidMaterial};
 
 /// Critical stretch `s = √(2G/Σ a |ξ·n|)` with which the bonds of a lattice have the energy release rate G, J/m², in a plane of
@@ -24,6 +25,17 @@ pub fn critical_stretch(
     let sum: f64 =
         neighbourhood.weights.iter().zip(&neighbourhood.offsets).map(|([a], &step)| a * across(step)).sum();
     Ok((2.0 * release_rate / sum).sqrt())
+}
+
+/// The bonds that a crack along an interface between layers of cells cuts.
+///
+/// # Errors
+/// Those of [`critical_stretch`].
+pub fn crossing_bonds(parameters: &impl SolidMaterial) -> Result<CrossingBonds, SolidError> {
+    let neighbourhood = parameters.law()?.neighbourhood;
+    let weights: Vec<f64> = neighbourhood.weights.iter().map(|[a]| *a).collect();
+    // Layers along any axis are alike.
+    Ok(CrossingBonds::new(&weights, &neighbourhood.offsets))
 }
 
 /// Critical stretch of the continuum of central bonds, `G = (9K/4) (∫ω r⁴/∫ω r³) s²`; with ω = 1 it is `√(5G/(9Kδ))` (Silling and

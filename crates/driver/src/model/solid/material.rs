@@ -9,7 +9,9 @@ use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, Cloud, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
+use peristat_assembly::model::plane::toughness::CrossingBonds;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
+use peristat_assembly::model::solid::toughness::crossing_bonds;
 use peristat_assembly::model::solid::{Solid, SolidEdges, SolidMaterial, SolidModel};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -227,6 +229,11 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
             self.warn_of_first_breaks(faults);
         }
         critical::stretches(given, self.parameters, on, path, faults)
+    }
+
+    /// Tetrahedra beside interfaces have changes of volume, which broken bonds would leave to points.
+    fn crossing_bonds(&self) -> Option<CrossingBonds> {
+        if P::HAS_FAMILIES { None } else { crossing_bonds(&self.parameters).ok() }
     }
 
     fn warn(&self, on: &Resolved, faults: &mut Faults) {

@@ -6,6 +6,7 @@ use crate::model::BodyModel;
 use crate::model::plane::{BreakingModel, CriticalStretch};
 use crate::stiffness::Term;
 use crate::system::System;
+use std::collections::HashSet;
 
 const SPACING: f64 = 0.5;
 
@@ -27,6 +28,17 @@ fn blocks(cells: [i32; 3], edges: SolidEdges, horizon_ratio: f64) -> Vec<Box<dyn
         }
     }
     all
+}
+
+/// A block of three layers, of two materials.
+fn layered(cells: [i32; 3], horizon_ratio: f64) -> Box<dyn BreakingModel<3>> {
+    let lattice = SquareLattice::cuboid(SPACING, [0.0; 3], cells);
+    let is_middle = |p: usize| (1.0..2.0).contains(&lattice.position(p)[2]);
+    let factors = (0..lattice.points()).map(|p| if is_middle(p) { 20.0 } else { 1.0 }).collect();
+    let parameters = BondSolidParameters { edges: SolidEdges::Border, horizon_ratio, ..BONDS };
+    let mut body = Solid::mixed(Arc::new(lattice), Mirrors::NONE, parameters, &[], factors).unwrap();
+    body.prepare_to_break();
+    body.breaking().unwrap()
 }
 
 /// All bonds, whose ratios are those of a uniform growth.
@@ -114,7 +126,13 @@ fn gram_of(a: Cell, b: Cell) -> i32 {
 #[test]
 fn what_is_left_and_what_has_gone_are_the_whole() {
     for edges in [SolidEdges::Border, SolidEdges::Overlay, SolidEdges::None] {
-        let models = [2.0, 3.0].into_iter().flat_map(|horizon_ratio| blocks([7, 6, 5], edges, horizon_ratio));
+        let models = [2.0, 3.0].into_iter().flat_map(|horizon_ratio| {
+            let mut all = blocks([7, 6, 5], edges, horizon_ratio);
+            if edges == SolidEdges::Border {
+                all.push(layered([7, 6, 6], horizon_ratio));
+            }
+            all
+        });
         for mut model in models {
             let n = model.points();
             let u: Vec<f64> =
@@ -123,9 +141,10 @@ fn what_is_left_and_what_has_gone_are_the_whole() {
             let all = all_bonds(&*model);
             let (mut gone, mut unloaded) = (0.0, vec![0.0; 3 * n]);
             // One after the other, those on the border among them.
-            for bonds in [&all[40..60], &all[all.len() - 30..], &all[300..303]] {
-                let there = |bond: &u64| all_bonds(&*model).contains(bond);
-                let bonds: Vec<u64> = bonds.iter().filter(|bond| there(bond)).copied().collect();
+            let scattered: Vec<u64> = all.iter().step_by(17).copied().collect();
+            for bonds in [&all[40..60], &all[all.len() - 30..], &all[300..303], &scattered[..]] {
+                let there: HashSet<u64> = all_bonds(&*model).into_iter().collect();
+                let bonds: Vec<u64> = bonds.iter().filter(|bond| there.contains(bond)).copied().collect();
                 let part = model.part(&bonds);
                 gone += energy(&part, &u);
                 unloaded.iter_mut().zip(forces(&part, &u)).for_each(|(sum, f)| *sum += f);
