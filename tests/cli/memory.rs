@@ -60,8 +60,18 @@ fn the_estimate_is_between_one_and_three_times_what_a_run_takes() {
         });
         vec![("", case)]
     };
+    let plate = |horizon_ratio: u32| {
+        let case = json!({
+            "title": "test", "solver": "multigrid", "horizon_ratio": horizon_ratio,
+            "model": { "state_plane": { "youngs_modulus": 1e3, "poisson_ratio": 0.3, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [150, 150], "spacing": 1 } },
+            "supports": [{ "at": { "region": "left" }, "ux": 0, "uy": 0 }],
+            "loads": [{ "traction": { "edge": "right", "uniform": [1, 0] } }]
+        });
+        vec![("", case)]
+    };
     // Measured 1.1 to 1.8; of beams with up to a million cells 1.1 to 2.0.
-    let cases: [(&str, usize, Keys); 8] = [
+    let cases: [(&str, usize, Keys); 10] = [
         ("uniform, in strains", 60_000, vec![]),
         ("uniform, as a band", 60_000, vec![solver("band")]),
         ("varying", 30_000, vec![varying()]),
@@ -74,6 +84,8 @@ fn the_estimate_is_between_one_and_three_times_what_a_run_takes() {
             1,
             solid(json!({ "state_solid": { "youngs_modulus": 1e3, "poisson_ratio": 0.3 } })),
         ),
+        ("a plate of families by cycles", 1, plate(3)),
+        ("a plate of families over four spacings", 1, plate(4)),
     ];
     for (name, cells, extra) in cases {
         let [estimated, taken] = memory(folder.path(), cells, &extra);

@@ -63,6 +63,51 @@ fn a_sheared_crack_slides_across_and_along_its_front() {
 }
 
 #[test]
+fn a_slanted_crack_opens_as_one_along_layers_does() {
+    // A cube of side 5 with a disc of radius 1 in its middle under one tension in all directions, which adds 5.3 % to K_I: by the third
+    // power of the side from the 1.3 % of a side of 8.
+    let normal = [1.0, 2.0, 3.0_f64];
+    let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+    let n = normal.map(|k| k / length);
+    let across = [n[1], -n[0], 0.0].map(|k| k / n[0].hypot(n[1]));
+    let along = [-n[2] * across[1], n[2] * across[0], n[0] * across[1] - n[1] * across[0]];
+    let angles: Vec<f64> = (0..12).map(|k| 30.0 * f64::from(k) + 7.0).collect();
+    let asked = angles.iter().flat_map(|angle| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let at = [0, 1, 2].map(|k| cos * across[k] + sin * along[k]);
+        ["k_i", "k_ii", "k_iii"].map(|quantity| {
+            json!({ "name": format!("{quantity} {angle}"), "crack": "penny", "quantity": quantity, "at": at })
+        })
+    });
+    let held = |at: [f64; 3], axes: &[&str]| {
+        let mut support = json!({ "at": { "x": at[0], "y": at[1], "z": at[2] } });
+        axes.iter().for_each(|axis| support[*axis] = json!(0));
+        support
+    };
+    let corner = 2.5 - 1.0 / 12.0;
+    let faces = ["left", "right", "bottom", "top", "back", "front"];
+    let case = json!({
+        "title": "slanted", "units": "none", "model": { "bond_solid": { "youngs_modulus": 1000 } },
+        "body": { "block": { "from": [-2.5, -2.5, -2.5], "size": [5, 5, 5], "spacing": 1.0 / 6.0 } },
+        "cracks": [ { "name": "penny", "disc": { "centre": [0.01, 0.02, 0.03], "normal": normal, "radius": 1 } } ],
+        "supports": [ held([-corner; 3], &["ux", "uy", "uz"]), held([corner, -corner, -corner], &["uy", "uz"]),
+            held([-corner, corner, -corner], &["uz"]) ],
+        "loads": faces.map(|face| json!({ "traction": { "face": face, "pressure": -1 } })),
+        "stress_intensity": asked.collect::<Vec<_>>()
+    });
+    let found = probes(&case);
+    let exact = 1.053 * 2.0 * std::f64::consts::FRAC_1_PI.sqrt();
+    let of =
+        |quantity: &str| angles.iter().map(|a| found[&format!("{quantity} {a}")] / exact).collect::<Vec<_>>();
+    let opening = of("k_i");
+    let mean = opening.iter().sum::<f64>() / opening.len() as f64;
+    let apart = opening.iter().map(|k| (k - 1.0).abs()).fold(0.0, f64::max);
+    let sliding = of("k_ii").into_iter().chain(of("k_iii")).map(f64::abs).fold(0.0, f64::max);
+    // Measured: 1.005, 0.045, 0.047.
+    assert!((mean - 1.0).abs() < 0.01 && apart < 0.05 && sliding < 0.05, "{mean:.3} {apart:.3} {sliding:.3}");
+}
+
+#[test]
 fn fronts_of_halves_and_of_polygons_are_those_of_the_whole() {
     let bar = |mirror: bool, crack: Value| {
         let from = if mirror { 0.0 } else { -2.0 };

@@ -6,6 +6,7 @@ use crate::bonds::Mat;
 use crate::condition::Row;
 use crate::stiffness::BlockMatrix;
 use sprs::{CsMat, TriMat};
+use std::collections::HashMap;
 
 /// Blocks of every point with all points that it is coupled to, itself among them, in order.
 struct Rows<const D: usize> {
@@ -71,13 +72,13 @@ impl<'a> Masters<'a> {
     }
 
     /// Adds what an entry of the lower triangle of the stiffness is on independent unknowns.
-    fn fold(&self, [row, column]: [usize; 2], value: f64, sum: &mut TriMat<f64>) {
+    fn fold(&self, [row, column]: [usize; 2], value: f64, sums: &mut HashMap<[usize; 2], f64>) {
         self.each(row, |a, ca| {
             self.each(column, |b, cb| {
                 // Of a symmetric pair only one entry is visited; both may fall on one diagonal place.
                 let both = if a == b && row != column { 2.0 } else { 1.0 };
                 if row != column || b <= a {
-                    sum.add_triplet(a.max(b), a.min(b), both * ca * cb * value);
+                    *sums.entry([a.max(b), a.min(b)]).or_insert(0.0) += both * ca * cb * value;
                 }
             });
         });
@@ -101,7 +102,8 @@ impl<const D: usize> System<D> {
         let room: usize = rows.entries.len() * D * (D + 1) / 2;
         let (mut pointers, mut indices, mut values) =
             (Vec::with_capacity(size + 1), Vec::with_capacity(room), Vec::with_capacity(room));
-        let mut folded = TriMat::new((size, size));
+        // Every entry once: dependent unknowns share their masters, and each pair of these is met many times.
+        let mut folded: HashMap<[usize; 2], f64> = HashMap::new();
         pointers.push(0);
         for (c, j) in (0..D).flat_map(|c| (0..n).map(move |j| (c, j))) {
             let row = c * n + j;
@@ -126,7 +128,12 @@ impl<const D: usize> System<D> {
             pointers.push(indices.len());
         }
         let direct = CsMat::new((size, size), pointers, indices, values);
-        if folded.nnz() == 0 { direct } else { &direct + &folded.to_csr() }
+        if folded.is_empty() {
+            return direct;
+        }
+        let mut sums = TriMat::with_capacity((size, size), folded.len());
+        folded.into_iter().for_each(|([row, column], value)| sums.add_triplet(row, column, value));
+        &direct + &sums.to_csr()
     }
 
     /// The same among the unknowns of some points that are not constrained: these, in order, and the lower triangle by their

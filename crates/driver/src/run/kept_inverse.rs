@@ -76,7 +76,7 @@ impl KeptInverse {
         match (self, asked) {
             (Self::Factor(_), Solver::Multigrid) => (
                 "sparse_cholesky",
-                "multigrid is asked for, but only solids with coarser lattices break with it".into(),
+                "multigrid is asked for, but only solids of one material with coarser lattices break with it".into(),
             ),
             (Self::Factor(_), _) => {
                 ("sparse_cholesky", "a body that breaks keeps its factor from equilibrium to equilibrium".into())

@@ -23,8 +23,6 @@ const VECTORS: usize = 8;
 const SPARSE: usize = 70;
 /// Memory of a multigrid solve, bytes per point: the vectors of conjugate gradients, levels with theirs, inverse blocks.
 const CYCLE: usize = 246;
-/// Memory of the factor of the coarsest level of a plate in bending, bytes per point: it has 350 to 530 entries per point.
-const COARSEST: usize = 6000;
 /// Memory of the matrices and factors of its levels where these are assembled, bytes per point and per entry of the stiffness:
 /// measured on tubes of 20 000 to 1e5 points, with bending and without, where the estimate is 1.1 to 1.5 times what a run takes.
 const MATRICES: [usize; 2] = [9000, 26];
@@ -53,7 +51,7 @@ pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) 
 fn cycle<const D: usize>(problem: &dyn Problem<D>, sizes: &ModelSizes) -> usize {
     let points = problem.model().points();
     let [of_point, of_entry] = if problem.has_matrices() { MATRICES } else { [0; 2] };
-    (CYCLE + of_point) * points + of_entry * sizes.entries + COARSEST * problem.coarsest_points()
+    (CYCLE + of_point) * points + of_entry * sizes.entries + problem.coarsest_bytes()
 }
 
 /// Memory of the fields of all points and of their files, if they are recovered, bytes.

@@ -96,13 +96,15 @@ pub(super) enum Plan {
 pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
     let points = problem.model().points();
     let is_solid = problem.solid_bytes(false).is_some();
+    // Cycles that follow breaking bonds know cubes of one material alone.
+    let breaks_by_cycles = is_solid && problem.model().contrast_of_points() == 1.0;
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
     match (problem.solver(), problem.spread()) {
         (_, Spread::Chain) => Plan::Factor,
-        (Solver::Multigrid, Spread::Lattice) if problem.breaks() && is_solid => Plan::Cycle,
+        (Solver::Multigrid, Spread::Lattice) if problem.breaks() && breaks_by_cycles => Plan::Cycle,
         // A bar of 4096 points takes as long either way, one of 1728 three times as long with cycles.
         (Solver::Auto, Spread::Lattice)
-            if problem.breaks() && is_solid && points > problem.most_factored() =>
+            if problem.breaks() && breaks_by_cycles && points > problem.most_factored() =>
         {
             Plan::Cycle
         }

@@ -63,8 +63,8 @@ pub trait Problem<const D: usize> {
         false
     }
 
-    /// Points of the coarsest level of a cycle, where its factor takes memory.
-    fn coarsest_points(&self) -> usize {
+    /// Memory of the coarsest level of a body in a plane with its factor, bytes, where it is more than the other levels leave room for.
+    fn coarsest_bytes(&self) -> usize {
         0
     }
 

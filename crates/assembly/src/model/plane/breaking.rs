@@ -86,15 +86,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 self.kind.bond.stretch_per_measure(&bond) / critical.by_offset()[k]
             })
             .collect();
-        let cells = offsets.iter().map(|&k| self.neighbourhood.offsets[k]);
+        let mixture = self.mixture().map(Arc::as_ref);
         let body = (&*self.lattice, &self.mirrors);
-        let along = CriticalAlong::new(critical, (body, self.mixture().map(|mixture| &**mixture)), cells);
+        let along = CriticalAlong::new(critical, body, mixture, &self.neighbourhood.offsets);
         let free = critical.free().map(|t| self.free_bonds(t));
         self.bonds.for_each_measured(u, |index, ends, s| {
             let (lower, own) = (ends[0], free.as_ref().map_or(0.0, |free| free.measures(index, ends)[0]));
             let ratio = ratios[index] * (s[0] - own);
             if ratio > 0.0 {
-                visit((offsets[index] * points + lower) as u64, ratio / along.ratio(index, lower));
+                visit((offsets[index] * points + lower) as u64, ratio / along.ratio(offsets[index], lower));
             }
         });
         if let Some(border) = self.border.bonds() {
@@ -102,7 +102,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             let body = (&*self.lattice, &self.neighbourhood, &self.kind.bond);
             border.for_each_ratio(body, (u, critical.by_offset(), critical.free()), &mut |k, ratio| {
                 let bond = whole + k as u64;
-                let further = critical.ratio(self.ends(bond), || border.kinds[k].factor);
+                let kind = &border.kinds[k];
+                let further = match kind.on_path {
+                    Some(part) => along.ratio_of_part(kind.offset as usize, part, kind.factor),
+                    None => critical.ratio(self.ends(bond), || kind.factor),
+                };
                 visit(bond, ratio / further);
             });
         }

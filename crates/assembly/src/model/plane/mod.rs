@@ -38,7 +38,7 @@ pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 pub(super) use apart::{Apart, apart_bonds};
 pub(super) use body::{Kind, LatticeBody};
 pub(super) use breaking::{remove_spanning, spanning};
-pub(super) use critical_along::CriticalAlong;
+pub(super) use critical_along::{CriticalAlong, PartOfPath};
 pub(super) use edges::{
     By, Cells, End, Nodes, Path, Run, around, border_shares, can_end, energy_factor, for_each_part, is_cut,
     strain_rows, volume_factor,

@@ -43,6 +43,8 @@ pub(super) struct Whole {
     pub(super) share: f64,
     /// Modulus of the part over that of the base material.
     pub(super) factor: f64,
+    /// Places of its cells on the path of the whole bond: of the first one, and behind the last.
+    pub(super) pieces: [u8; 2],
 }
 
 /// What a point has of a bond that ends on the border.
@@ -133,13 +135,14 @@ impl Border {
             }
         });
         let Builder { bonds, uniform, wholes, rows, .. } = builder;
-        Self { bonds: Arc::new(bonds.build()), uniform, wholes, gaps, rows, lacks, lost: lost.len() }
+        let bonds = Arc::new(bonds.build());
+        Self { bonds, uniform, wholes, gaps, rows, lacks, lost: lost.len() }
     }
 }
 
 impl Builder<'_> {
-    /// Adds a run that has a part of the energy that its whole bond would have with the same stretch and modulus, and its modulus over
-    /// that of the base material; none where the body is too thin to tell how it moves.
+    /// Adds a run; `part` is its energy over that of its whole bond at the same stretch and modulus, `factor` its modulus over that of
+    /// the base material. None where the body is too thin to tell how it moves.
     fn add(&mut self, offset: usize, run: &Run, (part, factor): (f64, f64)) -> Option<()> {
         let ends = [0, 1].map(|side| run.end(side, 3));
         self.hung.clear();
@@ -155,7 +158,7 @@ impl Builder<'_> {
             .or_insert_with(|| {
                 let [elongation] = bond.in_uniform_state(&short);
                 uniform.push(elongation.map(|e| [e]));
-                wholes.push(Whole { offset, share: run.share(), factor });
+                wholes.push(Whole { offset, share: run.share(), factor, pieces: run.places() });
                 let [modulus] = bond.moduli(&short);
                 bonds.add_kind(NodedKind {
                     shares: ends.map(|end| match end {

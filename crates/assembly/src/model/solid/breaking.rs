@@ -5,14 +5,14 @@
 //! with it: tetrahedra, and bonds on the border that would move with points on both sides of a crack. A bond is gone from the
 //! dilatations of its points, too; what these lack then makes them softer, and no energy is negative.
 
-use super::super::plane::{CriticalAlong, CriticalStretch, LatticeBond, at};
+use super::super::plane::{CriticalAlong, CriticalStretch, LatticeBond, PartOfPath, at};
 use super::body::SolidBody;
 use super::border::Whole;
 use super::{Solid, SolidMaterial};
 use crate::body::minus;
 use crate::bonds::BondGeometry;
 use crate::model::Breakable;
-use crate::stiffness::{BondPoints, Bonds, Families, FamilyRows, GridFamilies, Term};
+use crate::stiffness::{Bonds, Families, FamilyRows, GridFamilies, Term};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ struct Gone {
 impl SolidBody {
     /// Above the number of any bond between two points: one has the number `offset · points + lower point`; behind them are those
     /// that end on the border.
-    fn whole_bonds(&self) -> usize {
+    pub(super) fn whole_bonds(&self) -> usize {
         self.law.neighbourhood.offsets.len() * self.lattice.points()
     }
 
@@ -41,11 +41,15 @@ impl SolidBody {
         self.lattice.number(at(self.lattice.cell(lower), self.law.neighbourhood.offsets[offset], true))
     }
 
-    /// The points nearest to the ends of a bond that ends on the border.
-    fn on_border_ends(&self, ended: usize) -> [usize; 2] {
-        let known: Option<&BondPoints> = self.on_border.as_deref();
-        let pair = known.and_then(|known| known.foremost.get(ended));
+    /// The points with the largest parts in how a bond that ends on the border moves, one on either side.
+    fn foremost(&self, ended: usize) -> [usize; 2] {
+        let pair = self.on_border.as_ref().and_then(|known| known.foremost.get(ended));
         pair.map_or([0; 2], |pair| pair.map(|point| point as usize))
+    }
+
+    /// The point that one end of a bond that ends on the border is, if it is one.
+    pub(super) fn own_end(&self, ended: usize) -> Option<u32> {
+        self.on_border.as_ref().and_then(|known| *known.own.get(ended)?)
     }
 
     /// Bonds between two points, and the numbers of those that end on the border.
@@ -130,7 +134,7 @@ impl SolidBody {
         )
     }
 
-    /// Whether they can, of the materials that there are.
+    /// Whether bonds of this body, of the materials that it has, can break.
     pub(super) fn breaks(&self) -> bool {
         // What tetrahedra beside interfaces have of changes of volume would be left.
         let is_mixed = self.families.is_some() && self.interface.is_some();
@@ -195,25 +199,28 @@ impl SolidBody {
         };
         let per_elongation: Vec<f64> = (0..offsets.len()).map(of_whole).collect();
         let bonded: Vec<usize> = self.law.neighbourhood.bonded().collect();
-        let body = (&*self.lattice, &self.mirrors);
-        let along = CriticalAlong::new(
-            critical,
-            (body, self.mixture().map(|mixture| &**mixture)),
-            bonded.iter().map(|&k| offsets[k]),
-        );
+        let mixture = self.mixture().map(Arc::as_ref);
+        let along = CriticalAlong::new(critical, (&*self.lattice, &self.mirrors), mixture, offsets);
         self.bonds.for_each_measured(u, |index, [lower, _], [elongation]| {
             let k = bonded[index];
             if elongation > 0.0 {
-                let ratio = per_elongation[k] * elongation / along.ratio(index, lower);
+                let ratio = per_elongation[k] * elongation / along.ratio(k, lower);
                 visit((k * points + lower) as u64, ratio);
             }
         });
         if let Some(border) = &self.border {
             let whole = self.whole_bonds();
             border.bonds.for_each_measured(u, |bond, kind, [elongation]| {
-                let Whole { offset, share, factor } = border.wholes[kind];
+                let Whole { offset, share, factor, pieces } = border.wholes[kind];
                 if elongation > 0.0 {
-                    let further = critical.ratio(self.on_border_ends(bond), || factor);
+                    let further = match self.own_end(bond) {
+                        Some(own) => {
+                            // The path of a bond begins at the one point, or ends at the other.
+                            let place = if pieces[0] == 0 { 0 } else { pieces[1] - 1 };
+                            along.ratio_of_part(offset, PartOfPath { pieces, known: (place, own) }, factor)
+                        }
+                        None => critical.ratio(self.foremost(bond), || factor),
+                    };
                     visit(
                         (whole + bond) as u64,
                         per_elongation[offset] * elongation / share.sqrt() / further,
@@ -235,7 +242,7 @@ impl<P: SolidMaterial> Breakable<3> for Solid<P> {
     fn ends(&self, bond: u64) -> [usize; 2] {
         let (bond, points) = (bond as usize, self.body.lattice.points());
         if let Some(ended) = bond.checked_sub(self.body.whole_bonds()) {
-            return self.body.on_border_ends(ended);
+            return self.body.foremost(ended);
         }
         let place = (bond / points, bond % points);
         [place.1, self.body.upper(place).unwrap_or(place.1)]

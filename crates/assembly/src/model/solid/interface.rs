@@ -95,10 +95,11 @@ impl Interface {
 
     /// Forgets the tetrahedra that have one of some pairs of points for an edge.
     pub(super) fn part(&mut self, pairs: &HashSet<[u32; 2]>) {
-        let parted = |of: &&Family<3, TENSOR, 3>| spans(of, pairs);
-        if self.families.list().iter().any(|tetrahedron| spans(tetrahedron, pairs)) {
-            self.stress_count -= self.stress_families().iter().filter(parted).count();
-            Arc::make_mut(&mut self.families).retain(|tetrahedron| !spans(tetrahedron, pairs));
+        let goes = |tetrahedron: &&Family<3, TENSOR, 3>| spans(tetrahedron, pairs);
+        self.stress_count -= self.stress_families().iter().filter(goes).count();
+        // A body that keeps all of them shares them with its copies.
+        if self.families.list().iter().any(|tetrahedron| goes(&tetrahedron)) {
+            Arc::make_mut(&mut self.families).retain(|tetrahedron| !goes(&tetrahedron));
         }
     }
 

@@ -8,6 +8,8 @@ use std::collections::HashMap;
 pub struct BondPoints {
     /// Per bond: the two points that have the largest parts in the relative displacement of its ends, one on either side.
     pub foremost: Vec<[u32; 2]>,
+    /// Per bond: the point that one of its ends is, if it is one.
+    pub own: Vec<Option<u32>>,
     /// Per point: the bonds whose middle it moves, ascending.
     moved: HashMap<u32, Vec<u32>>,
 }
@@ -54,18 +56,26 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
         let places = self.places();
         self.for_each_numbered(|number, kind, ends| {
             if bonds.binary_search(&number).is_ok() {
-                let own = ends.into_iter().zip(&self.shares[kind]).find(|(_, shares)| shares.is_empty());
-                visit(kind, own.map(|(ids, _)| ids[0] as usize), &self.placed(&places, kind, ends));
+                let own = self.own(kind, ends).map(|own| own as usize);
+                visit(kind, own, &self.placed(&places, kind, ends));
             }
         });
+    }
+
+    /// The point that an end of a bond is, if one is.
+    fn own(&self, kind: usize, ends: [&[u32]; 2]) -> Option<u32> {
+        let own = ends.into_iter().zip(&self.shares[kind]).find(|(_, shares)| shares.is_empty());
+        own.map(|(ids, _)| ids[0])
     }
 
     /// What moves all bonds.
     pub fn points(&self) -> BondPoints {
         let (places, mut found) = (self.places(), BondPoints::default());
         found.foremost = vec![[0; 2]; self.count()];
+        found.own = vec![None; self.count()];
         self.for_each_numbered(|number, kind, ends| {
             let mut one = PlacedBonds::new(self.points);
+            found.own[number] = self.own(kind, ends);
             found.foremost[number] = one.push(&self.placed(&places, kind, ends));
             for (point, _) in one.middle(0) {
                 found.moved.entry(point as u32).or_default().push(number as u32);

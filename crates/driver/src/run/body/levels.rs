@@ -11,7 +11,7 @@ use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 
 /// Points that a direct factor takes in no time.
-const COARSEST: usize = 1500;
+pub(super) const COARSEST: usize = 1500;
 /// The same of a solid, whose factor fills up sooner.
 pub(super) const COARSEST_SOLID: usize = 500;
 /// Rows or columns that a coarsest lattice keeps: with fewer, all of its points are at an edge.

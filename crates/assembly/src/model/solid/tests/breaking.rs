@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::body::Cell;
-use crate::model::BodyModel;
-use crate::model::plane::{BreakingModel, CriticalStretch};
+use crate::model::plane::{BreakingModel, CriticalStretch, ToughMaterials, Toughness};
+use crate::model::{BodyModel, Breakable, Points};
 use crate::stiffness::Term;
 use crate::system::System;
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 const SPACING: f64 = 0.5;
 
@@ -197,5 +197,69 @@ fn a_cut_through_leaves_two_parts() {
         let damage = model.damage();
         let most = damage.iter().fold(0.0, |a: f64, b| a.max(*b));
         assert!(most > 0.3 && most < 0.7, "{most}");
+    }
+}
+
+/// Ratios of all bonds of a body that grows uniformly, by their numbers.
+fn ratios(model: &Solid<BondSolidParameters>, critical: &CriticalStretch) -> BTreeMap<u64, f64> {
+    let n = model.points();
+    let mut u = vec![0.0; 3 * n];
+    for point in 0..n {
+        let at = model.position(point);
+        (0..3).for_each(|c| u[c * n + point] = 1e-3 * at[c]);
+    }
+    let mut found = BTreeMap::new();
+    Breakable::for_each_ratio(model, &u, critical, &mut |bond, ratio| _ = found.insert(bond, ratio));
+    found
+}
+
+#[test]
+fn bonds_on_the_border_are_of_what_they_pass() {
+    for horizon_ratio in [2.0, 3.0] {
+        let parameters = BondSolidParameters { edges: SolidEdges::Border, horizon_ratio, ..BONDS };
+        let lattice = Arc::new(SquareLattice::cuboid(SPACING, [0.0; 3], [6, 6, 12]));
+        let is_upper: Vec<bool> = (0..lattice.points()).map(|p| lattice.cell(p)[2] >= 6).collect();
+        let of = |moduli: Vec<f64>| {
+            let mut model = Solid::mixed(lattice.clone(), Mirrors::NONE, parameters, &[], moduli).unwrap();
+            model.prepare_to_break();
+            model
+        };
+        let tough = |own: Toughness, modulus: f64, between: Option<Toughness>| {
+            CriticalStretch::new(vec![1.0; 500]).of_materials(ToughMaterials {
+                numbers: is_upper.iter().map(|upper| u32::from(*upper)).collect(),
+                moduli: vec![modulus; is_upper.len()],
+                own: vec![own; 2],
+                interfaces: vec![None, between],
+                crossing: toughness::crossing_bonds(&parameters).unwrap(),
+            })
+        };
+        let plain = of(vec![1.0; is_upper.len()]);
+        let usual = ratios(&plain, &CriticalStretch::new(vec![1.0; 500]));
+        // At the same energy bonds of four times the modulus break at half the stretch.
+        let stiff = ratios(&of(vec![4.0; is_upper.len()]), &tough(Toughness::Energy(1.0), 4.0, None));
+        assert!(usual.len() == stiff.len() && usual.len() > 1000, "{} {}", usual.len(), stiff.len());
+        assert!(usual.iter().all(|(bond, ratio)| (stiff[bond] / ratio - 2.0).abs() < 1e-9));
+        // An interface at which they break at half the stretch is that of those alone that pass it.
+        let weak = ratios(&plain, &tough(Toughness::Stretch(1.0), 1.0, Some(Toughness::Stretch(0.5))));
+        let (border, whole) = (plain.body.border.as_ref().unwrap(), plain.body.whole_bonds());
+        let (mut passing, mut beside) = (0, 0);
+        border.bonds.for_each_measured(&vec![0.0; 3 * plain.points()], |bond, kind, _| {
+            let offset = plain.body.law.neighbourhood.offsets[border.wholes[kind].offset];
+            let Some(ratio) = weak.get(&((whole + bond) as u64)) else { return };
+            let times = ratio / usual[&((whole + bond) as u64)];
+            let is_weak = (times - 2.0).abs() < 1e-9;
+            assert!(is_weak || (times - 1.0).abs() < 1e-9, "{times}");
+            let own = plain.body.own_end(bond).map(|own| lattice.cell(own as usize)[2]);
+            match own {
+                Some(layer) if offset[2] == 0 || !(4..8).contains(&layer) => {
+                    // Along the layers, or farther from the interface than it reaches.
+                    beside += usize::from((5..7).contains(&layer));
+                    assert!(!is_weak || offset[2].abs() > 2, "{offset:?} {layer}");
+                }
+                _ => passing += usize::from(is_weak),
+            }
+        });
+        // Over two spacings they leave the body before the next layer.
+        assert!(beside > 100 && (passing > 0) == (horizon_ratio == 3.0), "{passing} {beside}");
     }
 }

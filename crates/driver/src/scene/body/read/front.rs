@@ -29,8 +29,6 @@ const FLAT: f64 = 0.1;
 pub(crate) enum FrontFault {
     /// It has no place of the front in the body beside it.
     Far,
-    /// The crack runs across layers of points, so that faces are not found beside it.
-    Slanted,
     /// The crack is bent or ends behind it, has another front or crack beside it there, or is outside of the body.
     Short {
         /// How far it must be straight and in the body, spacings.
@@ -76,9 +74,6 @@ impl FrontJump {
         if distance(place.at, position) > NEAR * h {
             return Err(FrontFault::Far);
         }
-        if place.normal.iter().all(|n| n.abs() < 1.0 - ALONG) {
-            return Err(FrontFault::Slanted);
-        }
         let widened = (beside.horizon / (HORIZON * h)).max(1.0);
         let short = FrontFault::Short { spacings: widened * BEHIND[BEHIND.len() - 1] };
         let mirror = mirror(&place, beside.symmetry, h);
@@ -97,6 +92,11 @@ impl FrontJump {
             axes: [n, a, along],
             is_mirrored: mirror.is_some(),
         })
+    }
+
+    /// Whether the faces lie across layers of points, so that these are not found on them but beside them.
+    pub(crate) fn is_slanted(&self) -> bool {
+        self.axes[0].iter().all(|n| n.abs() < 1.0 - ALONG)
     }
 
     /// K_I, K_II and K_III from the displacements of every point, with E' and the shear modulus.

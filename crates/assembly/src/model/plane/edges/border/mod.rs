@@ -16,6 +16,7 @@ pub use shares::BorderShares;
 pub(in crate::model) use shares::border_shares;
 
 use super::super::bond::LatticeBond;
+use super::super::critical_along::PartOfPath;
 use super::super::mixture::Mixture;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
@@ -53,6 +54,8 @@ pub(in super::super::super) struct PartOfBond {
     pub(in super::super::super) foremost: [u32; 2],
     /// Its modulus over that of the base material.
     pub(in super::super::super) factor: f64,
+    /// The cells that it passes; none of a spring in what a border leaves of a triangle.
+    pub(in super::super::super) on_path: Option<PartOfPath>,
 }
 
 /// Reach of bonds, rows or columns, up to which they end on the border: their number grows with its third power.
@@ -112,7 +115,8 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
         let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
         let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
         let of = [run.point(&nodes.cells).map(|point| (point, share)), None, None];
-        kinds.push(PartOfBond { offset: offset as u32, share, of, foremost, factor });
+        let (offset, on_path) = (offset as u32, run.on_path(lattice));
+        kinds.push(PartOfBond { offset, share, of, foremost, factor, on_path });
     });
     let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });
     Completion { by, gaps, lost: lost.len(), strains: None, lacks }

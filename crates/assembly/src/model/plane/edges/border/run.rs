@@ -1,9 +1,10 @@
 //! What of a bond lies within the body.
 
 use super::super::super::Mirrors;
+use super::super::super::critical_along::PartOfPath;
 use super::nodes::{Cells, Nodes, around};
 use super::path::Path;
-use crate::body::{Cell, minus, plus};
+use crate::body::{Cell, SquareLattice, minus, plus};
 use crate::stiffness::Place;
 
 /// What a run ends at.
@@ -70,6 +71,19 @@ impl Run<'_> {
     /// Whether it begins, and whether it ends, at a point of the bond.
     pub(in crate::model) fn has_points(&self) -> [bool; 2] {
         [self.pieces[0] == 0, self.pieces[1] == self.path.cells.len()]
+    }
+
+    /// Places of its first cell on the path of its bond, and of the first one behind its last.
+    pub(in crate::model) fn places(&self) -> [u8; 2] {
+        // Bonds that end on a border pass thirty cells at most.
+        self.pieces.map(|piece| piece as u8)
+    }
+
+    /// Its cells on the path of its bond.
+    pub(super) fn on_path(&self, lattice: &SquareLattice) -> Option<PartOfPath> {
+        let [first, _] = self.places();
+        let point = lattice.number(self.first())? as u32;
+        Some(PartOfPath { pieces: self.places(), known: (first, point) })
     }
 
     /// Its first cell.

@@ -53,7 +53,8 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
             let ends = [-0.5, 0.5]
                 .map(|half| place(&cells, &places, [0, 1].map(|c| half * share * f64::from(step[c]))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });
-            kinds.push(PartOfBond { offset: offset as u32, share, of: [None; 3], foremost, factor });
+            let offset = offset as u32;
+            kinds.push(PartOfBond { offset, share, of: [None; 3], foremost, factor, on_path: None });
             at.push((cells, path, left));
         }
     }
