@@ -52,6 +52,7 @@ fn crossing_energy(contrast: f64, ratio: f64) -> f64 {
         let mut u = vec![0.0; 3 * n];
         // One end moves by the length of the bond along it.
         (0..3).for_each(|c| u[c * n + b] = block.position(b)[c] - block.position(a)[c]);
+        // Bonds are the first of the terms that go with them.
         block.part(&[bond]).first().map_or(0.0, |bonds| bonds.survey(&u).energy)
     };
     crossing.into_iter().map(energy).sum()

@@ -1,4 +1,4 @@
-//! The constrained stiffness `TᵀKT` in compressed rows: blocks of independent unknowns go straight to their places, the few
+//! The constrained stiffness `TᵀKT` in compressed rows: blocks of independent unknowns go straight to their places, sums of those
 //! of unknowns that depend on others are added to them.
 
 use super::System;
@@ -131,6 +131,7 @@ impl<const D: usize> System<D> {
         if folded.is_empty() {
             return direct;
         }
+        // The order of the map does not matter: compressed rows are sorted.
         let mut sums = TriMat::with_capacity((size, size), folded.len());
         folded.into_iter().for_each(|([row, column], value)| sums.add_triplet(row, column, value));
         &direct + &sums.to_csr()

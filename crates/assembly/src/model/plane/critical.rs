@@ -1,4 +1,4 @@
-//! At which stretches the bonds of a body in the plane break.
+//! At which stretches the bonds of a lattice break.
 
 use super::toughness::CrossingBonds;
 

@@ -231,7 +231,7 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         critical::stretches(given, self.parameters, on, path, faults)
     }
 
-    /// Tetrahedra beside interfaces have changes of volume, which broken bonds would leave to points.
+    /// None where points feel changes of volume: tetrahedra beside interfaces would keep theirs across a crack.
     fn crossing_bonds(&self) -> Option<CrossingBonds> {
         if P::HAS_FAMILIES { None } else { crossing_bonds(&self.parameters).ok() }
     }

@@ -94,7 +94,7 @@ impl FrontJump {
         })
     }
 
-    /// Whether the faces lie across layers of points, so that these are not found on them but beside them.
+    /// Whether the crack is slanted to the layers of points, so that values beside its faces are interpolated.
     pub(crate) fn is_slanted(&self) -> bool {
         self.axes[0].iter().all(|n| n.abs() < 1.0 - ALONG)
     }
