@@ -65,6 +65,7 @@ fn bonds_across_an_interface_take_its_energy() {
         let inside = critical_stretch(1.0, &of, 1.0, ALONG_LAYERS).expect("bonds");
         let s = inside / crossing_bonds(&of).expect("bonds").factor([1.0, contrast]).sqrt();
         let found = crossing_energy(contrast, ratio) * s * s;
+        // Exact but for rounding.
         assert!((found - 1.0).abs() < 1e-12, "{contrast} {ratio}: {found}");
     }
 }
@@ -115,15 +116,20 @@ fn core(solver: &str, strategy: &str) -> Value {
 }
 
 #[test]
-fn energies_balance_whatever_solves() {
-    let runs = [("sparse", "worst"), ("multigrid", "worst"), ("sparse", "batch")];
-    let found = runs.map(|(solver, strategy)| solve(&core(solver, strategy)).0);
-    let balances = [0, 1, 2].map(|k| imbalance(&found[k]));
-    assert!(balances.iter().zip([1e-10, 1e-10, 1e-7]).all(|(a, most)| *a < most), "{balances:?}");
-    let [factored, cycled, _] =
-        found.map(|events| events.iter().map(|event| (event.load_factor, event.broken)).collect::<Vec<_>>());
-    assert!(factored.len() == 40 && cycled.len() == 40);
-    for (a, b) in factored.iter().zip(&cycled) {
-        assert!((a.0 - b.0).abs() < 1e-8 * a.0 && a.1 == b.1, "{a:?} {b:?}");
+fn energies_balance_at_every_break() {
+    // Measured: 1.3e-14 and 8.3e-10, which are up to what an equilibrium is found.
+    for (strategy, most) in [("worst", 1e-12), ("batch", 1e-8)] {
+        let (events, report) = solve(&core("sparse", strategy));
+        assert!(imbalance(&events) < most, "{strategy}: {:e}", imbalance(&events));
+        assert_eq!((events.len(), report.solver.method.as_str()), (40, "sparse_cholesky"));
     }
+}
+
+#[test]
+fn cycles_are_for_solids_of_one_material() {
+    let mut case = core("multigrid", "worst");
+    case["fracture"]["max_solves"] = json!(1);
+    let solver = solve(&case).1.solver;
+    assert_eq!(solver.method, "sparse_cholesky");
+    assert!(solver.reason.contains("solids of one material"), "{}", solver.reason);
 }
