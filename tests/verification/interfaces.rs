@@ -209,3 +209,24 @@ fn an_interface_is_as_weak_as_the_weaker_material_beside_it() {
     // A stretch of half as much breaks at half the motion.
     assert!((weaker / first(json!({ "energy_release_rate": 0.075 })) - 2.0).abs() < 1e-9);
 }
+
+#[test]
+fn bonds_at_the_ends_of_a_strip_are_of_their_own_layer() {
+    // Pulled along a weak interface of two equal layers: the bonds across it, at 45 degrees, stretch by (1 - nu)/2 of the strain, and
+    // those that end on the border along it do not pass it.
+    let case = json!({
+        "title": "strip", "units": "none", "horizon_ratio": 2,
+        "model": { "bond_plane": { "youngs_modulus": 1000, "state": "plane_stress" } },
+        "body": { "rectangle": { "size": [20, 12], "spacing": 1 } },
+        "regions": { "upper": { "box": { "from": [0, 6], "to": [20, 12] } } },
+        "materials": { "other": { "at": "upper", "critical": { "stretch": 0.01 }, "interface": { "stretch": 0.003 } } },
+        "supports": [ { "at": { "x": 0.5, "y": 0.5 }, "ux": 0, "uy": 0 }, { "at": { "x": 0.5, "y": 11.5 }, "ux": 0 } ],
+        "loads": [ { "traction": { "edge": "right", "uniform": [20, 0] } }, { "traction": { "edge": "left", "uniform": [-20, 0] } } ],
+        "probes": [ { "name": "pull", "at": { "x": 19.5, "y": 5.5 }, "field": "ux" } ],
+        "fracture": { "critical": { "stretch": 0.01 }, "strategy": "worst", "load": "pull", "max_solves": 1 }
+    });
+    let first = &solve(&case).0[0];
+    assert!((first.load_factor / 0.45 - 1.0).abs() < 1e-9, "{}", first.load_factor);
+    // Two between every pair of columns.
+    assert_eq!(first.broken_now, 38);
+}

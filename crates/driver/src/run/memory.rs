@@ -23,6 +23,8 @@ const VECTORS: usize = 8;
 const SPARSE: usize = 70;
 /// Memory of a multigrid solve, bytes per point: the vectors of conjugate gradients, levels with theirs, inverse blocks.
 const CYCLE: usize = 246;
+/// Memory of the factor of the coarsest level of a plate in bending, bytes per point: it has 350 to 530 entries per point.
+const COARSEST: usize = 6000;
 /// Memory of the matrices and factors of its levels where these are assembled, bytes per point and per entry of the stiffness:
 /// measured on tubes of 20 000 to 1e5 points, with bending and without, where the estimate is 1.1 to 1.5 times what a run takes.
 const MATRICES: [usize; 2] = [9000, 26];
@@ -33,7 +35,9 @@ const BLOCKS: usize = 166;
 pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) -> u64 {
     let (sizes, unknowns) = (problem.model().sizes(), D * problem.model().points());
     let fields = fields(problem, recover);
-    let solving = match method::plan(problem) {
+    let plan = method::plan(problem);
+    let kept = if plan == Plan::Cycle { problem.kept_bytes() } else { 0 };
+    let solving = match plan {
         Plan::Factor => {
             8 * VECTORS * unknowns + problem.solid_bytes(true).unwrap_or_else(|| matrix(problem, &sizes))
         }
@@ -41,17 +45,15 @@ pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) 
         Plan::Blocks => problem.solid_bytes(false).unwrap_or(BLOCKS * problem.model().points()),
     };
     // The last state is recorded without the factor, unless it may not be the last.
-    total(
-        problem,
-        if problem.states() > 1 || problem.breaks() { solving + fields } else { solving.max(fields) },
-    )
+    let last = if problem.states() > 1 || problem.breaks() { solving + fields } else { solving.max(fields) };
+    total(problem, last + kept)
 }
 
 /// Memory of a multigrid solve in the plane, bytes.
 fn cycle<const D: usize>(problem: &dyn Problem<D>, sizes: &ModelSizes) -> usize {
     let points = problem.model().points();
     let [of_point, of_entry] = if problem.has_matrices() { MATRICES } else { [0; 2] };
-    (CYCLE + of_point) * points + of_entry * sizes.entries + problem.coarsest_bytes()
+    (CYCLE + of_point) * points + of_entry * sizes.entries + COARSEST * problem.coarsest_points()
 }
 
 /// Memory of the fields of all points and of their files, if they are recovered, bytes.

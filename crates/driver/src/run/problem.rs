@@ -63,8 +63,13 @@ pub trait Problem<const D: usize> {
         false
     }
 
-    /// Memory of the coarsest level of a body in a plane with its factor, bytes, where it is more than the other levels leave room for.
-    fn coarsest_bytes(&self) -> usize {
+    /// Memory that the coarsest level of a cycle takes and its allocator keeps for the rest of a run, bytes.
+    fn kept_bytes(&self) -> usize {
+        0
+    }
+
+    /// Points of the coarsest level of a cycle, where its factor takes memory.
+    fn coarsest_points(&self) -> usize {
         0
     }
 

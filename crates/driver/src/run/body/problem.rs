@@ -141,13 +141,13 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         Some(solid_memory::of(lattice, &about, has_fronts))
     }
 
-    fn coarsest_bytes(&self) -> usize {
+    fn kept_bytes(&self) -> usize {
         let about = self.scene.material().about();
         if !about.has_families || self.scene.body().axes() > 2 {
             return 0;
         }
-        /// Of a block of the coarsest level and its factor, bytes. Measured on squares of 22 500 to 160 000 points and on bodies of
-        /// revolution, horizons of two to five spacings: the estimate is 1.0 to 1.2 times what a run takes.
+        /// Of a block of the coarsest level, bytes. Measured on squares of 22 500 to 160 000 points and on bodies of revolution, horizons
+        /// of two to five spacings: the estimate is 1.0 to 1.25 times what a run takes.
         const BLOCK: f64 = 85.0;
         // Points are coupled with those of the families of their neighbours.
         let coupled = (4.0 * about.horizon_ratio + 1.0).powi(2);

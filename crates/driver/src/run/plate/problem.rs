@@ -68,10 +68,8 @@ impl Problem<3> for PlateScene {
         }
     }
 
-    fn coarsest_bytes(&self) -> usize {
-        /// Of a point of the coarsest level, whose factor has 350 to 530 entries per point.
-        const POINT: usize = 6000;
-        POINT * levels::coarsest_points(self.plate.nodes())
+    fn coarsest_points(&self) -> usize {
+        levels::coarsest_points(self.plate.nodes())
     }
 
     fn coarser(&self, _system: &System<3>) -> Option<Coarser<3>> {
